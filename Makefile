@@ -1,0 +1,77 @@
+# `make demo` and `make test` are all that a newcomer needs: both bring in what
+# is missing (a C linker, Mesa's software OpenGL) before they begin.
+
+CARGO ?= cargo
+DEMO_SCENE  := examples/scenes/molecule.toml
+DEMO_METHOD := depth-peeling
+DEMO_IMAGE  := out/molecule.png
+
+# The tests that open an OpenGL context; they run once for each backend.
+GL_TESTS := $(basename $(notdir $(sort $(wildcard tests/gl_*.rs))))
+EXAMPLES := $(basename $(notdir $(sort $(wildcard examples/*.rs))))
+
+# Cargo is parallel by itself and locks its build folder: -j would only mix the
+# output and let a check begin before the set-up has ended.
+.NOTPARALLEL:
+.DEFAULT_GOAL := help
+.PHONY: help demo test setup check lint unit gl-osmesa docs examples bench clean
+
+help: ## Show this list
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-8s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
+
+demo: setup ## Install what is missing, build, and render the demo scene into out/
+	$(CARGO) build --release --locked
+	@mkdir -p $(dir $(DEMO_IMAGE))
+	$(CARGO) run --quiet --release --locked -- render $(DEMO_SCENE) -m $(DEMO_METHOD) -o $(DEMO_IMAGE)
+
+# Everything below shares cargo's dev profile, so that dependencies are built once.
+test: setup-checks lint unit gl-osmesa docs examples ## Install what is missing and run every check: format, clippy, tests on both backends, docs, examples
+	@echo "all checks passed"
+
+setup: ## Install what is missing and nothing else
+	@.ci/setup
+
+.PHONY: setup-checks
+setup-checks:
+	@.ci/setup checks
+
+check: setup-checks lint ## Format and clippy only
+
+lint:
+	$(CARGO) fmt --check
+	$(CARGO) clippy --all-targets --locked -- -D warnings
+
+# Unit, integration and doc tests.
+unit:
+	ONIONSKIN_BACKEND=egl $(CARGO) test --locked
+
+# With no GL test to name, cargo would run all tests again.
+gl-osmesa: TEST_ON_OSMESA = ONIONSKIN_BACKEND=osmesa $(CARGO) test --locked $(addprefix --test ,$(GL_TESTS))
+gl-osmesa:
+ifeq ($(GL_TESTS),)
+	@echo "skipped: GL tests on OSMesa (there are no tests/gl_*.rs)"
+else
+	@if .ci/setup has-osmesa; then \
+	    echo "$(TEST_ON_OSMESA)"; \
+	    $(TEST_ON_OSMESA); \
+	else \
+	    echo "skipped: GL tests on OSMesa (libOSMesa.so.8 is not installed): $(GL_TESTS)"; \
+	fi
+endif
+
+docs:
+	RUSTDOCFLAGS='-D warnings' $(CARGO) doc --no-deps --locked
+
+examples:
+	@mkdir -p out/examples
+	@set -e; for name in $(EXAMPLES); do \
+	    echo "example $$name"; \
+	    $(CARGO) run --quiet --locked --example "$$name" -- out/examples; \
+	done
+
+bench: setup ## Run the benchmarks
+	$(CARGO) bench --locked
+
+clean: ## Remove everything that was built or rendered
+	$(CARGO) clean
+	rm -rf out

@@ -1,0 +1,169 @@
+//! The house has floors, and a room imports only from floors below it. Rust compiles module cycles in silence; this
+//! does not.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Every room with its floor.
+const FLOORS: [(&str, u32); 11] = [
+    ("error", 0),
+    ("fragment", 0),
+    ("image", 1),
+    ("steps", 2),
+    ("scene", 2),
+    ("papers", 3),
+    ("oracle", 4),
+    ("gl", 4),
+    ("methods", 5),
+    ("cli", 6),
+    ("main", 7),
+];
+
+#[test]
+fn every_room_imports_only_from_floors_below() {
+    let mut rooms = BTreeSet::new();
+    let mut wrong = Vec::new();
+    for file in sources(&root()) {
+        let room = room_of(&file);
+        let floor = floor(&room).unwrap_or_else(|| panic!("{room} has no floor"));
+        for imported in imports(&fs::read_to_string(&file).unwrap()) {
+            if imported != room && self::floor(&imported).is_some_and(|other| other >= floor) {
+                wrong.push(format!(
+                    "{}: {room} (floor {floor}) imports {imported}",
+                    file.display()
+                ));
+            }
+        }
+        rooms.insert(room);
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    let known: BTreeSet<_> = FLOORS.iter().map(|(room, _)| (*room).to_owned()).collect();
+    assert_eq!(
+        rooms, known,
+        "every room has a floor and every floor its rooms"
+    );
+}
+
+#[test]
+fn an_import_from_above_would_be_found() {
+    let found = imports(
+        "use crate::gl::Context;\nlet x = crate::methods::registry();\nuse onionskin::scene::Scene;",
+    );
+    assert_eq!(found, ["gl", "methods", "scene"].map(str::to_owned).into());
+    let nested = imports(
+        "use crate::{error::Result, papers::vtk};\nuse super::*;\nuse onionskin::{Context, Scene};",
+    );
+    assert_eq!(
+        nested,
+        ["error", "papers", "gl", "scene"].map(str::to_owned).into()
+    );
+}
+
+#[test]
+fn unsafe_code_stands_in_gl_only() {
+    for file in sources(&root()) {
+        let text = fs::read_to_string(&file).unwrap();
+        let allowed = file.strip_prefix(root()).unwrap().starts_with("gl");
+        let code = text
+            .lines()
+            .filter(|line| !line.trim_start().starts_with("//"));
+        let found = code
+            .filter(|line| line.contains("unsafe {") || line.contains("unsafe_code)"))
+            .count();
+        assert!(allowed || found == 0, "{}", file.display());
+    }
+}
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("src")
+}
+
+fn sources(folder: &Path) -> Vec<PathBuf> {
+    let mut found = Vec::new();
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            found.extend(sources(&path));
+        } else if path.extension().is_some_and(|ending| ending == "rs")
+            && path != root().join("lib.rs")
+        {
+            found.push(path);
+        }
+    }
+    found
+}
+
+fn room_of(file: &Path) -> String {
+    let inside = file.strip_prefix(root()).unwrap();
+    let room = inside.components().next().unwrap();
+    Path::new(room.as_os_str())
+        .file_stem()
+        .unwrap()
+        .to_str()
+        .unwrap()
+        .to_owned()
+}
+
+fn floor(room: &str) -> Option<u32> {
+    FLOORS
+        .iter()
+        .find(|(name, _)| *name == room)
+        .map(|(_, floor)| *floor)
+}
+
+/// The rooms that a source names after `crate::` or `onionskin::`. The crate's root re-exports some types; they count
+/// as their rooms.
+fn imports(text: &str) -> BTreeSet<String> {
+    let code: String = text
+        .lines()
+        .filter(|line| !line.trim_start().starts_with("//"))
+        .map(|l| l.to_owned() + "\n")
+        .collect();
+    let mut found = BTreeSet::new();
+    for (at, path) in code
+        .match_indices("crate::")
+        .chain(code.match_indices("onionskin::"))
+    {
+        // `$crate::` stands in macros, which are expanded elsewhere.
+        if code[..at].ends_with('$') {
+            continue;
+        }
+        let rest = &code[at + path.len()..];
+        match rest.strip_prefix('{') {
+            Some(group) => {
+                let mut depth = 0;
+                let end = group.find(|c| {
+                    depth += match c {
+                        '{' => 1,
+                        '}' => -1,
+                        _ => 0,
+                    };
+                    depth < 0
+                });
+                let group = &group[..end.unwrap_or(group.len())];
+                found.extend(group.split(',').map(|item| room(item.trim())));
+            }
+            None => {
+                found.insert(room(rest));
+            }
+        }
+    }
+    found
+}
+
+fn room(path: &str) -> String {
+    let name: String = path
+        .chars()
+        .take_while(|c| c.is_alphanumeric() || *c == '_')
+        .collect();
+    match name.as_str() {
+        "Context" => "gl",
+        "Image" => "image",
+        "Frame" | "Method" | "Renderer" => "methods",
+        "Scene" => "scene",
+        "Error" | "Result" => "error",
+        other => other,
+    }
+    .to_owned()
+}
