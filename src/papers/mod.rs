@@ -1,0 +1,7 @@
+//! The papers: their listings as data, what stands beside them, and what they claim. Nothing here runs by itself.
+
+pub mod everitt_2001;
+mod index;
+pub mod vtk;
+
+pub use index::{Paper, papers};

@@ -1,0 +1,264 @@
+//! VTK's depth peeling page: Everitt's algorithm in a toolkit.
+//!
+//! The page has no listing. What it says in prose is written out here: opaque geometry first, whose depth bounds the
+//! peels; an occlusion query on each peel; two ways to stop; and the two ways to composite that it weighs against each
+//! other. The loop itself is Everitt's Listing 1, amended.
+
+use crate::papers::everitt_2001::{self, COMPOSITE as BACK_TO_FRONT, LISTING_1};
+use crate::steps;
+use crate::steps::{Amendment, Dialect, Listing, Map, Query, Shader, Target, gl::*};
+
+/// Every layer is kept, then composited back to front ("Implementation notes").
+pub const KEEP_LAYERS: Listing = Listing {
+    title: "Depth peeling with every layer kept, composited back to front",
+    source: "VTK, Depth Peeling",
+    dialect: Dialect::Calls,
+    steps: steps! {
+        run OPAQUE_FIRST;
+        run BEFORE_PEELING;
+        num_layers = 0;
+        composited = 0;
+        run LISTING_1 amended by &[CULL_BY_OPAQUE, QUERY, KEEP_DEPTH];
+        glBindFramebuffer(COMPOSITE);
+        run BACK_TO_FRONT amended by &[everitt_2001::ALPHA, ONLY_THE_LAYER, COUNT_THE_LAYER];
+    },
+};
+
+/// No layer is kept: each goes under those before it as soon as it is there ("if it was possible to do front-to-back
+/// compositing, we could perform compositing on the fly").
+pub const ON_THE_FLY: Listing = Listing {
+    title: "Depth peeling with front-to-back compositing on the fly",
+    source: "VTK, Depth Peeling",
+    dialect: Dialect::Calls,
+    steps: steps! {
+        run OPAQUE_FIRST;
+        run BEFORE_PEELING;
+        num_layers = 0;
+        composited = 0;
+        run CLEAR_ACCUMULATION;
+        run LISTING_1 amended by &[NO_CLEAR, CULL_BY_OPAQUE, QUERY, UNDER];
+        run ACCUMULATION_OVER_OPAQUE;
+    },
+};
+
+/// "As we first render opaque geometry, we use it to cull transparent geometry."
+pub const OPAQUE_FIRST: Listing = Listing {
+    title: "Opaque geometry, colour and depth",
+    source: "VTK, Implementation notes",
+    dialect: Dialect::Calls,
+    steps: steps! {
+        glBindFramebuffer(IMAGE);
+        glClearDepth(1.0);
+        glDepthMask(true);
+        glClear(COLOR_AND_DEPTH_BUFFER_BITS);
+        glEnable(DEPTH_TEST);
+        glDepthFunc(LESS);
+        glUseProgram(SURFACE);
+        drawOpaqueObjects();
+    },
+};
+
+/// What Listing 1 takes for granted: something to draw into, and a program.
+const BEFORE_PEELING: Listing = Listing {
+    title: "What the peels draw into, and with",
+    source: "VTK, Implementation notes",
+    dialect: Dialect::Calls,
+    steps: steps! {
+        // Layers are told from background by their depth, so no colour needs to be special.
+        glClearColor(0.0, 0.0, 0.0, 0.0);
+        glBindFramebuffer(PEEL);
+        glActiveTexture(1);
+        glBindTexture(OPAQUE_DEPTH);
+        glUseProgram(PEEL_SURFACE);
+    },
+};
+
+/// The first [`Amendment`] to Listing 1: the peel's depth buffer starts from the opaque depth instead of from the far
+/// plane, so that the ordinary depth test of unit 1 culls what lies at or behind an opaque surface.
+pub const CULL_BY_OPAQUE: Amendment = Amendment {
+    key: "V03",
+    place: "Listing 1, depth unit 1, clear depth buffer",
+    printed: steps! { clear depth buffer; },
+    amended: steps! { glCopyImageSubData(OPAQUE_DEPTH, DEPTH_BUFFER_B); },
+    why: "opaque geometry culls what lies behind it",
+    test: "v03_opaque_geometry_culls_what_lies_behind_it_and_lowers_the_number_of_layers",
+};
+
+/// "An occlusion query test on each pass indicates whether that layer was empty; if it was, the algorithm halts."
+/// And only the transparent objects are peeled.
+pub const QUERY: Amendment = Amendment {
+    key: "V04",
+    place: "Listing 1, render scene",
+    printed: steps! { render scene; },
+    amended: steps! {
+        glBeginQuery(PEELED);
+        drawTransparentObjects();
+        glEndQuery(PEELED);
+        peels = i + 1;
+        peeled = samples(PEELED);
+        stop if (peeled == 0) because EmptyLayer;
+    },
+    why: "an occlusion query finds the empty layer",
+    test: "v04_the_empty_layer_ends_the_loop",
+};
+
+/// The layer is saved with its depth. Its pixels are counted if the occlusion ratio asks: the query above counts every
+/// fragment that lowered the depth, which is more than the pixels that changed.
+pub const KEEP_DEPTH: Amendment = Amendment {
+    key: "V02",
+    place: "Listing 1, save color buffer RGBA as layer i",
+    printed: steps! { save color buffer RGBA as layer i; },
+    amended: steps! {
+        save color buffer RGBA as layer i;
+        glCopyImageSubData(DEPTH_BUFFER_B, LAYER_DEPTH_I);
+        num_layers = i + 1;
+        if (occlusion_ratio > 0) {
+            glColorMask(false, false, false, false);
+            glDepthMask(false);
+            glDisable(DEPTH_TEST);
+            glBindFramebuffer(COMPOSITE);
+            glUseProgram(OVER);
+            glActiveTexture(3);
+            glBindTexture(DEPTH_BUFFER_B);
+            glBeginQuery(PIXELS);
+            drawScreen();
+            glEndQuery(PIXELS);
+            glColorMask(true, true, true, true);
+            glDepthMask(true);
+            glUseProgram(PEEL_SURFACE);
+            glBindFramebuffer(PEEL);
+            pixels = samples(PIXELS);
+            stop if (pixels < (occlusion_ratio * window_area)) because OcclusionRatio;
+        }
+    },
+    why: "a peel that changed too few pixels is the last",
+    test: "v02_the_loop_stops_when_a_peel_changed_fewer_pixels_than_the_ratio",
+};
+
+/// Only the layer's own pixels are read when it goes under the others, so what the rest of the color buffer holds does not
+/// matter; a layer that is saved is another thing. Clearing 32-bit float colours costs a twentieth of a peel.
+pub const NO_CLEAR: Amendment = Amendment {
+    key: "V06",
+    place: "Listing 1, clear color buffer",
+    printed: steps! { clear color buffer; },
+    amended: steps! {},
+    why: "only the layer's own pixels will be read",
+    test: "v06_both_ways_of_compositing_give_the_same_image",
+};
+
+/// Instead of saving the layer: under what has been composited so far. The query counts the layer's pixels.
+pub const UNDER: Amendment = Amendment {
+    key: "V06",
+    place: "Listing 1, save color buffer RGBA as layer i",
+    printed: steps! { save color buffer RGBA as layer i; },
+    amended: steps! {
+        glBindFramebuffer(ACCUMULATION);
+        glDisable(DEPTH_TEST);
+        glEnable(BLEND);
+        glBlendFuncSeparate(ONE_MINUS_DST_ALPHA, ONE, ONE_MINUS_DST_ALPHA, ONE);
+        glUseProgram(UNDER_LAYER);
+        glActiveTexture(3);
+        glBindTexture(DEPTH_BUFFER_B);
+        glActiveTexture(2);
+        glBindTexture(COLOR_BUFFER);
+        glBeginQuery(PIXELS);
+        drawScreen();
+        glEndQuery(PIXELS);
+        glDisable(BLEND);
+        pixels = samples(PIXELS);
+        composited = composited + pixels;
+        num_layers = i + 1;
+        stop if (pixels < (occlusion_ratio * window_area)) because OcclusionRatio;
+        glBindFramebuffer(PEEL);
+        glUseProgram(PEEL_SURFACE);
+    },
+    why: "front-to-back compositing on the fly keeps no layer",
+    test: "v06_both_ways_of_compositing_give_the_same_image",
+};
+
+const CLEAR_ACCUMULATION: Listing = Listing {
+    title: "Nothing composited yet",
+    source: "VTK, Implementation notes",
+    dialect: Dialect::Calls,
+    steps: steps! {
+        glBindFramebuffer(ACCUMULATION);
+        glClear(COLOR_BUFFER_BIT);
+        glBindFramebuffer(PEEL);
+    },
+};
+
+const ACCUMULATION_OVER_OPAQUE: Listing = Listing {
+    title: "What was composited, over the opaque image",
+    source: "VTK, Implementation notes",
+    dialect: Dialect::Calls,
+    steps: steps! {
+        glBindFramebuffer(COMPOSITE);
+        glDisable(DEPTH_TEST);
+        glEnable(BLEND);
+        glBlendFunc(ONE, ONE_MINUS_SRC_ALPHA);
+        glUseProgram(everitt_2001::LAYER);
+        glActiveTexture(2);
+        glBindTexture(ACCUMULATED);
+        drawScreen();
+        glDisable(BLEND);
+    },
+};
+
+/// To [`everitt_2001::COMPOSITE`]: a layer does not cover every pixel, and those it covers are counted.
+pub const ONLY_THE_LAYER: Amendment = Amendment {
+    key: "V06",
+    place: "Putting It All Together, rendering each layer",
+    printed: steps! { glUseProgram(everitt_2001::LAYER); },
+    amended: steps! {
+        glUseProgram(OVER);
+        glActiveTexture(1);
+        glBindTexture(OPAQUE_DEPTH);
+    },
+    why: "a layer is where its depth lies before the opaque depth",
+    test: "every_pixel_of_a_layer_is_counted_once",
+};
+
+/// Goes with [`ONLY_THE_LAYER`].
+pub const COUNT_THE_LAYER: Amendment = Amendment {
+    key: "V06",
+    place: "Putting It All Together, rendering each layer",
+    printed: steps! { drawScreen(); },
+    amended: steps! {
+        glActiveTexture(3);
+        glBindTexture(LAYER_DEPTH_I);
+        glActiveTexture(2);
+        glBeginQuery(PIXELS);
+        drawScreen();
+        glEndQuery(PIXELS);
+        composited = composited + samples(PIXELS);
+    },
+    why: "its pixels are counted",
+    test: "every_pixel_of_a_layer_is_counted_once",
+};
+
+/// The color buffer of the peels.
+pub const COLOR_BUFFER: Map = Map::named("color buffer");
+/// What the layers add up to, front to back, premultiplied.
+pub const ACCUMULATED: Map = Map::named("accumulated");
+/// Depth of the opaque geometry; 1 where there is none.
+pub const OPAQUE_DEPTH: Map = Map::named("opaque depth");
+/// The final image, with the opaque depth.
+pub const IMAGE: Target = Target("image");
+/// The final image alone, so that the opaque depth may be looked up while layers go into it.
+pub const COMPOSITE: Target = Target("composite");
+/// Where layers are peeled: the color buffer, and whichever depth buffer is unit 1's.
+pub const PEEL: Target = Target("peel");
+/// Where layers are accumulated front to back.
+pub const ACCUMULATION: Target = Target("accumulation");
+/// Draws a surface.
+pub const SURFACE: Shader = Shader("surface");
+
+const DEPTH_BUFFER_B: Map = Map::at("depth buffer", "B");
+const LAYER_DEPTH_I: Map = Map::at("layer depth", "i");
+/// Draws a surface behind what has been peeled.
+pub const PEEL_SURFACE: Shader = Shader("peel");
+const OVER: Shader = Shader("over");
+/// Puts a layer under those before it.
+pub const UNDER_LAYER: Shader = Shader("under");
+const PEELED: Query = Query("peeled");
+const PIXELS: Query = Query("pixels");

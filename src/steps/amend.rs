@@ -1,0 +1,50 @@
+//! Amendments: what stands beside a listing where it is wrong, or where a later text builds on it.
+
+use super::listing::Step;
+
+/// The smallest change that makes a printed listing right, or that adds what another text adds.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Amendment {
+    /// A short name: the claim's or the erratum's key.
+    pub key: &'static str,
+    /// Where the change is made, in the paper's words.
+    pub place: &'static str,
+    /// The steps as printed, consecutive; replaced wherever the listing has them.
+    pub printed: &'static [Step],
+    /// What stands there instead.
+    pub amended: &'static [Step],
+    /// Why.
+    pub why: &'static str,
+    /// The test that fails without it.
+    pub test: &'static str,
+}
+
+impl Amendment {
+    /// The amendment that applies at the head of `steps`, if there is one.
+    pub(super) fn at<'a>(amendments: &'a [Self], steps: &[Step]) -> Option<&'a Self> {
+        amendments
+            .iter()
+            .find(|amendment| !amendment.printed.is_empty() && steps.starts_with(amendment.printed))
+    }
+
+    /// How often `steps` have what this amendment replaces, nested steps included. An amendment that is found nowhere
+    /// changes nothing, so tests ask.
+    pub fn occurrences(&self, steps: &[Step]) -> usize {
+        let here = steps
+            .windows(self.printed.len().max(1))
+            .filter(|w| *w == self.printed)
+            .count();
+        here + steps
+            .iter()
+            .map(|step| match step {
+                Step::DepthUnit { body, .. }
+                | Step::For { body, .. }
+                | Step::ForDown { body, .. } => self.occurrences(body),
+                Step::If {
+                    then, otherwise, ..
+                } => self.occurrences(then) + self.occurrences(otherwise),
+                Step::Call(_) | Step::Let { .. } | Step::Stop { .. } | Step::Run { .. } => 0,
+            })
+            .sum::<usize>()
+    }
+}

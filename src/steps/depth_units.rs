@@ -1,0 +1,111 @@
+//! Listing 1's imaginary OpenGL, on a real one.
+//!
+//! Everitt writes depth peeling for an OpenGL with several depth units, then observes that a shadow map which has the
+//! camera's own orientation and resolution *is* a read-only depth test ("Shadow Mapping as Depth Test"). So:
+//!
+//! | listing | depth unit 0 | depth unit 1 |
+//! | --- | --- | --- |
+//! | bind buffer | bound as a texture for shadow lookups | attached to the framebuffer |
+//! | set depth func | the lookup's compare function | `glDepthFunc` |
+//! | enable, disable depth test | that function, or `ALWAYS` | `glEnable`, `glDisable` |
+//! | disable depth writes | nothing to do: a texture is not written | `glDepthMask` |
+//!
+//! The shader discards where the lookup answers 0; Everitt writes the answer into alpha and lets the alpha test
+//! discard, which is the same thing in the GL of his year.
+
+use super::call::{Buffers, Call, Capability, Compare, Query};
+use super::walk::Machine;
+use crate::error::{Error, Result};
+
+/// A machine with two depth units, made of one with a single depth buffer and shadow lookups.
+#[derive(Debug)]
+pub struct DepthUnits<'a, M> {
+    machine: &'a mut M,
+    /// Which unit calls go to. Unit 1 is the ordinary depth buffer, so outside a `depth unit` block that is meant.
+    active: u8,
+    /// Unit 0's comparison, and whether its test is enabled; two states in the listing, one in a texture.
+    func: Compare,
+    enabled: bool,
+}
+
+impl<'a, M: Machine> DepthUnits<'a, M> {
+    /// Both units tested by the rest of the calls: unit 0 not at all yet.
+    pub fn new(machine: &'a mut M) -> Self {
+        Self {
+            machine,
+            active: 1,
+            func: Compare::Less,
+            enabled: false,
+        }
+    }
+
+    fn unit_0(&mut self, call: &Call) -> Result<()> {
+        match *call {
+            Call::BindDepthBuffer { buffer } => {
+                self.machine.perform(&Call::ActiveTexture { unit: 0 })?;
+                self.machine.perform(&Call::BindTexture { texture: buffer })
+            }
+            Call::DepthFunc { func } => {
+                self.func = func;
+                self.compare()
+            }
+            Call::Enable {
+                cap: Capability::DepthTest,
+            } => {
+                self.enabled = true;
+                self.compare()
+            }
+            Call::Disable {
+                cap: Capability::DepthTest,
+            } => {
+                self.enabled = false;
+                self.compare()
+            }
+            Call::DepthMask { flag: false } => Ok(()),
+            Call::DepthMask { flag: true }
+            | Call::Clear {
+                mask: Buffers { depth: true, .. },
+            } => Err(Error::usage(
+                format!(
+                    "depth unit 0 cannot perform {call}: it is a shadow map, which is only looked up"
+                ),
+                "let depth unit 1 do it",
+            )),
+            // Color, stencil and draws are nobody's in particular.
+            _ => self.machine.perform(call),
+        }
+    }
+
+    fn compare(&mut self) -> Result<()> {
+        let func = if self.enabled {
+            self.func
+        } else {
+            Compare::Always
+        };
+        self.machine.perform(&Call::SamplerCompareFunc { func })
+    }
+}
+
+impl<M: Machine> Machine for DepthUnits<'_, M> {
+    fn perform(&mut self, call: &Call) -> Result<()> {
+        match *call {
+            Call::ActiveDepthUnit { unit: unit @ 0..=1 } => {
+                self.active = unit;
+                Ok(())
+            }
+            Call::ActiveDepthUnit { unit } => Err(Error::usage(
+                format!("there is no depth unit {unit}"),
+                "Listing 1 has two depth units: 0 peels, 1 is the ordinary depth buffer",
+            )),
+            _ if self.active == 0 => self.unit_0(call),
+            Call::BindDepthBuffer { buffer } => {
+                self.machine.perform(&Call::AttachDepth { texture: buffer })
+            }
+            _ => self.machine.perform(call),
+        }
+    }
+
+    fn samples(&mut self, query: Query) -> Result<u64> {
+        self.machine.samples(query)
+    }
+}

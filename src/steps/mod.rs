@@ -1,0 +1,46 @@
+//! The vocabulary: what the papers print, as plain data.
+//!
+//! # The model
+//!
+//! A [`Listing`] is a tree of [`Step`]s, a constant that reads like the paper (see the [`steps!`](crate::steps!)
+//! macro). Its leaves are [`Call`]s: state, clears, binds, copies, queries and draws, spelled as OpenGL spells them.
+//! Its branches are what the papers write around the calls: loops, variables, conditions, and *stop* steps that leave
+//! a loop and say why.
+//!
+//! One constant, many readers:
+//!
+//! - [`run`] walks the tree, evaluates the variables, and hands each call, with every name resolved, to a
+//!   [`Machine`]. GL is one machine (`gl/`), [`Recorder`] is another: what it has recorded is the flat trace.
+//! - [`DepthUnits`] stands between the two where a listing asks for an OpenGL with several depth units, and turns such
+//!   calls into those of a real one.
+//! - [`print`](mod@print) writes a listing the way its paper does; [`diff`](fn@diff) holds the result against a
+//!   transcript.
+//!
+//! State persists from listing to listing, as in GL: nothing here resets anything that the listing does not reset.
+//!
+//! Where a printed listing is wrong, or where another text extends it, an [`Amendment`] says which steps are replaced
+//! by which. Listings themselves are never edited: [`run`] applies amendments as it walks.
+
+mod amend;
+mod call;
+mod depth_units;
+mod diff;
+mod expr;
+pub mod gl;
+mod listing;
+mod macros;
+pub mod print;
+mod trace;
+mod walk;
+
+pub use amend::Amendment;
+pub use call::{
+    BlendFactor, Buffers, Call, Capability, Compare, Index, Map, Objects, Query, Shader, StencilOp,
+    Target,
+};
+pub use depth_units::DepthUnits;
+pub use diff::diff;
+pub use expr::{Condition, Expr, Variables};
+pub use listing::{Dialect, Listing, Reason, Step};
+pub use trace::Recorder;
+pub use walk::{Machine, Outcome, run};

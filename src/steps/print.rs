@@ -1,0 +1,411 @@
+//! Printing: a listing the way its paper writes it, and a call with its arguments named.
+
+use std::fmt;
+
+use super::amend::Amendment;
+use super::call::*;
+use super::expr::Condition;
+use super::listing::{Dialect, Listing, Step};
+
+/// The listing as its paper prints it, with `amendments` in place; without any, as printed.
+pub fn listing(listing: &Listing, amendments: &[Amendment]) -> String {
+    let mut printer = Printer {
+        dialect: listing.dialect,
+        text: String::new(),
+    };
+    printer.steps(listing.steps, amendments, 0);
+    printer.text
+}
+
+struct Printer {
+    dialect: Dialect,
+    text: String,
+}
+
+impl Printer {
+    fn line(&mut self, indent: usize, line: impl fmt::Display) {
+        self.text += &format!("{:1$}{line}\n", "", indent * 2);
+    }
+
+    fn block(&mut self, indent: usize, body: &[Step], amendments: &[Amendment]) {
+        self.line(indent, "{");
+        self.steps(body, amendments, indent + 1);
+        self.line(indent, "}");
+    }
+
+    fn steps(&mut self, mut steps: &[Step], amendments: &[Amendment], indent: usize) {
+        while let Some((step, rest)) = steps.split_first() {
+            if let Some(amendment) = Amendment::at(amendments, steps) {
+                self.line(
+                    indent,
+                    format_args!("// {}: {}", amendment.key, amendment.why),
+                );
+                self.steps(amendment.amended, &[], indent);
+                steps = &steps[amendment.printed.len()..];
+            } else {
+                self.step(step, amendments, indent);
+                steps = rest;
+            }
+        }
+    }
+
+    fn step(&mut self, step: &Step, amendments: &[Amendment], indent: usize) {
+        match *step {
+            Step::Call(call) => self.line(indent, self.call(&call)),
+            Step::DepthUnit { unit, body } => {
+                self.line(indent, format_args!("depth unit {unit}:"));
+                self.steps(body, amendments, indent + 1);
+            }
+            Step::Let { variable, value } => {
+                let end = self.end();
+                // Listing 1 writes an inner operation without spaces, `(i+1) % 2`; Expr does the same.
+                self.line(indent, format_args!("{variable} = {value}{end}"));
+            }
+            Step::If {
+                condition,
+                then,
+                otherwise,
+            } => self.branch(&condition, then, otherwise, amendments, indent),
+            Step::For {
+                variable: i,
+                from,
+                to,
+                body,
+            } => {
+                self.line(indent, format_args!("for ({i}={from}; {i}<{to}; {i}++)"));
+                self.block(indent, body, amendments);
+            }
+            Step::ForDown {
+                variable: i,
+                from,
+                body,
+            } => {
+                self.line(indent, format_args!("for ({i}={from}-1; {i}>=0; {i}--)"));
+                self.block(indent, body, amendments);
+            }
+            Step::Stop { when, why } => {
+                let end = self.end();
+                self.line(indent, format_args!("if({when}) break{end}  // {why}"));
+            }
+            Step::Run {
+                listing,
+                amendments,
+            } => {
+                self.line(
+                    indent,
+                    format_args!("// {}: {}", listing.source, listing.title),
+                );
+                let outer = std::mem::replace(&mut self.dialect, listing.dialect);
+                self.steps(listing.steps, amendments, indent);
+                self.dialect = outer;
+            }
+        }
+    }
+
+    fn branch(
+        &mut self,
+        condition: &Condition,
+        then: &[Step],
+        otherwise: &[Step],
+        amendments: &[Amendment],
+        indent: usize,
+    ) {
+        self.line(indent, format_args!("if({condition})"));
+        let mut arm = |body: &[Step]| match body {
+            // A single statement needs no braces.
+            [_] => self.steps(body, amendments, indent + 1),
+            _ => self.block(indent, body, amendments),
+        };
+        arm(then);
+        if !otherwise.is_empty() {
+            self.line(indent, "else");
+            match otherwise {
+                [_] => self.steps(otherwise, amendments, indent + 1),
+                _ => self.block(indent, otherwise, amendments),
+            }
+        }
+    }
+
+    fn end(&self) -> &'static str {
+        match self.dialect {
+            Dialect::Phrases => "",
+            Dialect::Calls => ";",
+        }
+    }
+
+    fn call(&self, call: &Call) -> String {
+        let said = match self.dialect {
+            Dialect::Phrases => phrase(call),
+            Dialect::Calls => None,
+        };
+        said.unwrap_or_else(|| {
+            let (name, arguments) = signature(call);
+            let values: Vec<_> = arguments
+                .into_iter()
+                .map(|(_, value)| value.replace("GL_", ""))
+                .collect();
+            format!("{name}({}){}", values.join(", "), self.end())
+        })
+    }
+}
+
+/// How Everitt says it, if he does.
+fn phrase(call: &Call) -> Option<String> {
+    Some(match *call {
+        Call::Clear {
+            mask:
+                Buffers {
+                    color: true,
+                    depth: false,
+                    stencil: false,
+                },
+        } => "clear color buffer".into(),
+        Call::Clear {
+            mask:
+                Buffers {
+                    color: false,
+                    depth: true,
+                    stencil: false,
+                },
+        } => "clear depth buffer".into(),
+        Call::Enable {
+            cap: Capability::DepthTest,
+        } => "enable depth test".into(),
+        Call::Disable {
+            cap: Capability::DepthTest,
+        } => "disable depth test".into(),
+        Call::DepthMask { flag: true } => "enable depth writes".into(),
+        Call::DepthMask { flag: false } => "disable depth writes".into(),
+        Call::DepthFunc { func } => format!("set depth func to {}", compare(func)),
+        Call::BindDepthBuffer {
+            buffer:
+                Map {
+                    index: Index::Variable(name),
+                    ..
+                },
+        } => format!("bind buffer {name}"),
+        Call::Draw {
+            objects: Objects::Scene,
+        } => "render scene".into(),
+        Call::CopyImage { from, to } if from == Map::named("color buffer") => {
+            format!("save {from} RGBA as {to}")
+        }
+        Call::CopyImage { from, to } => format!("copy {from} into {to}"),
+        _ => return None,
+    })
+}
+
+impl fmt::Display for Call {
+    /// With its arguments named: `glDepthFunc(func = GL_LESS)`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (name, arguments) = signature(self);
+        let named: Vec<_> = arguments
+            .iter()
+            .map(|(name, value)| format!("{name} = {value}"))
+            .collect();
+        write!(f, "{name}({})", named.join(", "))
+    }
+}
+
+/// The call's name in GL, and its arguments' names and values.
+fn signature(call: &Call) -> (&'static str, Vec<(&'static str, String)>) {
+    macro_rules! call {
+        ($name:literal $(, $argument:literal = $value:expr)*) => {
+            ($name, vec![$(($argument, $value.to_string())),*])
+        };
+    }
+    let gl = |constant: &str| format!("GL_{constant}");
+    let bool = |flag: bool| if flag { "GL_TRUE" } else { "GL_FALSE" };
+    match *call {
+        Call::ClearColor {
+            red,
+            green,
+            blue,
+            alpha,
+        } => call!(
+            "glClearColor",
+            "red" = format!("{red:?}"),
+            "green" = format!("{green:?}"),
+            "blue" = format!("{blue:?}"),
+            "alpha" = format!("{alpha:?}")
+        ),
+        Call::ClearDepth { depth } => call!("glClearDepth", "depth" = format!("{depth:?}")),
+        Call::ClearStencil { s } => call!("glClearStencil", "s" = s),
+        Call::Clear { mask } => call!("glClear", "mask" = buffers(mask)),
+        Call::Enable { cap } => call!("glEnable", "cap" = gl(capability(cap))),
+        Call::Disable { cap } => call!("glDisable", "cap" = gl(capability(cap))),
+        Call::DepthFunc { func } => call!("glDepthFunc", "func" = gl(compare(func))),
+        Call::DepthMask { flag } => call!("glDepthMask", "flag" = bool(flag)),
+        Call::ColorMask {
+            red,
+            green,
+            blue,
+            alpha,
+        } => call!(
+            "glColorMask",
+            "red" = bool(red),
+            "green" = bool(green),
+            "blue" = bool(blue),
+            "alpha" = bool(alpha)
+        ),
+        Call::StencilMask { mask } => call!("glStencilMask", "mask" = format!("0x{mask:02X}")),
+        Call::StencilFunc {
+            func,
+            reference,
+            mask,
+        } => call!(
+            "glStencilFunc",
+            "func" = gl(compare(func)),
+            "ref" = reference,
+            "mask" = format!("0x{mask:02X}")
+        ),
+        Call::StencilOp {
+            sfail,
+            dpfail,
+            dppass,
+        } => call!(
+            "glStencilOp",
+            "sfail" = gl(stencil_op(sfail)),
+            "dpfail" = gl(stencil_op(dpfail)),
+            "dppass" = gl(stencil_op(dppass))
+        ),
+        Call::BlendFunc { sfactor, dfactor } => {
+            call!(
+                "glBlendFunc",
+                "sfactor" = gl(factor(sfactor)),
+                "dfactor" = gl(factor(dfactor))
+            )
+        }
+        Call::BlendFuncSeparate {
+            src_rgb,
+            dst_rgb,
+            src_alpha,
+            dst_alpha,
+        } => call!(
+            "glBlendFuncSeparate",
+            "srcRGB" = gl(factor(src_rgb)),
+            "dstRGB" = gl(factor(dst_rgb)),
+            "srcAlpha" = gl(factor(src_alpha)),
+            "dstAlpha" = gl(factor(dst_alpha))
+        ),
+        Call::ActiveDepthUnit { unit } => call!("activeDepthUnit", "unit" = unit),
+        Call::BindDepthBuffer { buffer } => call!("bindDepthBuffer", "buffer" = buffer),
+        Call::ActiveTexture { unit } => {
+            call!("glActiveTexture", "texture" = format!("GL_TEXTURE{unit}"))
+        }
+        Call::BindTexture { texture } => {
+            call!(
+                "glBindTexture",
+                "target" = "GL_TEXTURE_2D",
+                "texture" = texture
+            )
+        }
+        Call::SamplerCompareFunc { func } => call!(
+            "glSamplerParameteri",
+            "sampler" = "shadow",
+            "pname" = "GL_TEXTURE_COMPARE_FUNC",
+            "param" = gl(compare(func))
+        ),
+        Call::UseProgram { program } => call!("glUseProgram", "program" = program.0),
+        Call::BindFramebuffer { framebuffer } => {
+            call!(
+                "glBindFramebuffer",
+                "target" = "GL_FRAMEBUFFER",
+                "framebuffer" = framebuffer.0
+            )
+        }
+        Call::AttachColor { texture } => attach("GL_COLOR_ATTACHMENT0", texture),
+        Call::AttachDepth { texture } => attach("GL_DEPTH_STENCIL_ATTACHMENT", texture),
+        Call::BeginQuery { query } => call!(
+            "glBeginQuery",
+            "target" = "GL_SAMPLES_PASSED",
+            "id" = query.0
+        ),
+        Call::EndQuery { query } => {
+            call!("glEndQuery", "target" = "GL_SAMPLES_PASSED", "id" = query.0)
+        }
+        Call::Swap { a, b } => call!("swap", "a" = a, "b" = b),
+        Call::CopyImage { from, to } => call!("glCopyImageSubData", "src" = from, "dst" = to),
+        Call::Draw {
+            objects: Objects::Scene,
+        } => call!("drawScene"),
+        Call::Draw {
+            objects: Objects::Opaque,
+        } => call!("drawOpaqueObjects"),
+        Call::Draw {
+            objects: Objects::Transparent,
+        } => call!("drawTransparentObjects"),
+        Call::Draw {
+            objects: Objects::Screen,
+        } => call!("drawScreen"),
+    }
+}
+
+fn attach(attachment: &'static str, texture: Map) -> (&'static str, Vec<(&'static str, String)>) {
+    let arguments = vec![
+        ("target", "GL_FRAMEBUFFER".into()),
+        ("attachment", attachment.into()),
+        ("textarget", "GL_TEXTURE_2D".into()),
+        ("texture", texture.to_string()),
+    ];
+    ("glFramebufferTexture2D", arguments)
+}
+
+fn buffers(mask: Buffers) -> String {
+    let names = [
+        (mask.color, "GL_COLOR_BUFFER_BIT"),
+        (mask.depth, "GL_DEPTH_BUFFER_BIT"),
+        (mask.stencil, "GL_STENCIL_BUFFER_BIT"),
+    ];
+    let set: Vec<_> = names
+        .into_iter()
+        .filter(|(set, _)| *set)
+        .map(|(_, name)| name)
+        .collect();
+    set.join(" | ")
+}
+
+const fn compare(func: Compare) -> &'static str {
+    match func {
+        Compare::Never => "NEVER",
+        Compare::Less => "LESS",
+        Compare::Equal => "EQUAL",
+        Compare::Lequal => "LEQUAL",
+        Compare::Greater => "GREATER",
+        Compare::Notequal => "NOTEQUAL",
+        Compare::Gequal => "GEQUAL",
+        Compare::Always => "ALWAYS",
+    }
+}
+
+const fn capability(cap: Capability) -> &'static str {
+    match cap {
+        Capability::DepthTest => "DEPTH_TEST",
+        Capability::StencilTest => "STENCIL_TEST",
+        Capability::Blend => "BLEND",
+    }
+}
+
+const fn stencil_op(op: StencilOp) -> &'static str {
+    match op {
+        StencilOp::Keep => "KEEP",
+        StencilOp::Zero => "ZERO",
+        StencilOp::Replace => "REPLACE",
+        StencilOp::Incr => "INCR",
+        StencilOp::IncrWrap => "INCR_WRAP",
+        StencilOp::Decr => "DECR",
+        StencilOp::DecrWrap => "DECR_WRAP",
+        StencilOp::Invert => "INVERT",
+    }
+}
+
+const fn factor(factor: BlendFactor) -> &'static str {
+    match factor {
+        BlendFactor::Zero => "ZERO",
+        BlendFactor::One => "ONE",
+        BlendFactor::SrcAlpha => "SRC_ALPHA",
+        BlendFactor::OneMinusSrcAlpha => "ONE_MINUS_SRC_ALPHA",
+        BlendFactor::DstAlpha => "DST_ALPHA",
+        BlendFactor::OneMinusDstAlpha => "ONE_MINUS_DST_ALPHA",
+    }
+}

@@ -1,0 +1,239 @@
+//! Walking a listing: evaluates what is computed, resolves what is named, and hands the calls to a machine.
+
+use super::amend::Amendment;
+use super::call::{Call, Index, Map, Query};
+use super::expr::{Condition, Expr, Variables};
+use super::listing::{Listing, Reason, Step};
+use crate::error::{Error, Result};
+
+/// Something that performs calls.
+pub trait Machine {
+    /// Performs one call. Every [`Map`] in it is resolved: its index is not a variable.
+    ///
+    /// # Errors
+    /// What the machine cannot do, with the call named.
+    fn perform(&mut self, call: &Call) -> Result<()>;
+
+    /// How many samples passed the depth and stencil tests between the query's last begin and end.
+    ///
+    /// # Errors
+    /// If the query has never been made.
+    fn samples(&mut self, query: Query) -> Result<u64>;
+}
+
+/// What a listing leaves behind, besides what the machine shows.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Outcome {
+    /// Why the last stopped loop was left; nothing if every loop ran to its end.
+    pub stopped: Option<Reason>,
+    /// The variables at the end.
+    pub variables: Variables,
+}
+
+/// Runs a listing on a machine. The amendments hold in it and in every listing that it runs.
+///
+/// # Errors
+/// The machine's, or a variable that is read before it is set.
+pub fn run(
+    listing: &Listing,
+    amendments: &[Amendment],
+    variables: Variables,
+    machine: &mut impl Machine,
+) -> Result<Outcome> {
+    let outcome = Outcome {
+        stopped: None,
+        variables,
+    };
+    let mut walk = Walk { machine, outcome };
+    walk.steps(
+        listing.steps,
+        &Scope {
+            amendments,
+            outer: None,
+        },
+    )?;
+    Ok(walk.outcome)
+}
+
+struct Walk<'a, M> {
+    machine: &'a mut M,
+    outcome: Outcome,
+}
+
+/// The amendments in force: those of the listing that runs, then those of the listing that runs it, and so on.
+struct Scope<'a> {
+    amendments: &'a [Amendment],
+    outer: Option<&'a Scope<'a>>,
+}
+
+impl<'a> Scope<'a> {
+    const NOTHING: Self = Self {
+        amendments: &[],
+        outer: None,
+    };
+
+    /// The innermost amendment at the head of `steps`, and the scope outside of its list.
+    fn at(&'a self, steps: &[Step]) -> Option<(&'a Amendment, Option<&'a Self>)> {
+        match Amendment::at(self.amendments, steps) {
+            Some(amendment) => Some((amendment, self.outer)),
+            None => self.outer?.at(steps),
+        }
+    }
+}
+
+/// Whether the innermost loop goes on.
+#[derive(PartialEq)]
+enum Flow {
+    On,
+    Stop,
+}
+
+impl<M: Machine> Walk<'_, M> {
+    fn steps(&mut self, mut steps: &[Step], scope: &Scope<'_>) -> Result<Flow> {
+        while let Some((step, rest)) = steps.split_first() {
+            let flow = match scope.at(steps) {
+                Some((amendment, outer)) => {
+                    steps = &steps[amendment.printed.len()..];
+                    // What an amendment puts in is not amended again by its own list: it usually contains what it
+                    // replaces.
+                    self.steps(amendment.amended, outer.unwrap_or(&Scope::NOTHING))?
+                }
+                None => {
+                    steps = rest;
+                    self.step(step, scope)?
+                }
+            };
+            if flow == Flow::Stop {
+                return Ok(Flow::Stop);
+            }
+        }
+        Ok(Flow::On)
+    }
+
+    fn step(&mut self, step: &Step, scope: &Scope<'_>) -> Result<Flow> {
+        match *step {
+            Step::Call(call) => {
+                let call = self.resolve(call)?;
+                self.machine.perform(&call)?;
+            }
+            Step::DepthUnit { unit, body } => {
+                self.machine.perform(&Call::ActiveDepthUnit { unit })?;
+                return self.steps(body, scope);
+            }
+            Step::Let { variable, value } => {
+                let value = self.value(&value)?;
+                self.outcome.variables.set(variable, value);
+            }
+            Step::If {
+                condition,
+                then,
+                otherwise,
+            } => {
+                let branch = if self.holds(&condition)? {
+                    then
+                } else {
+                    otherwise
+                };
+                return self.steps(branch, scope);
+            }
+            Step::For {
+                variable,
+                from,
+                to,
+                body,
+            } => {
+                let mut number = self.value(&from)?;
+                while number < self.value(&to)? {
+                    self.outcome.variables.set(variable, number);
+                    if self.steps(body, scope)? == Flow::Stop {
+                        break;
+                    }
+                    number += 1.0;
+                }
+            }
+            Step::ForDown {
+                variable,
+                from,
+                body,
+            } => {
+                let mut number = self.value(&from)?;
+                while number > 0.0 {
+                    number -= 1.0;
+                    self.outcome.variables.set(variable, number);
+                    if self.steps(body, scope)? == Flow::Stop {
+                        break;
+                    }
+                }
+            }
+            Step::Stop { when, why } => {
+                if self.holds(&when)? {
+                    self.outcome.stopped = Some(why);
+                    return Ok(Flow::Stop);
+                }
+            }
+            Step::Run {
+                listing,
+                amendments,
+            } => {
+                self.steps(
+                    listing.steps,
+                    &Scope {
+                        amendments,
+                        outer: Some(scope),
+                    },
+                )?;
+            }
+        }
+        Ok(Flow::On)
+    }
+
+    fn holds(&mut self, condition: &Condition) -> Result<bool> {
+        Ok(condition
+            .compare
+            .holds(self.value(&condition.left)?, self.value(&condition.right)?))
+    }
+
+    fn value(&mut self, expr: &Expr) -> Result<f64> {
+        Ok(match *expr {
+            Expr::Number(number) => number,
+            Expr::Variable(name) => self.variable(name)?,
+            // Exact up to 2^53 samples.
+            Expr::Samples(query) => self.machine.samples(query)? as f64,
+            Expr::Sum(a, b) => self.value(a)? + self.value(b)?,
+            Expr::Difference(a, b) => self.value(a)? - self.value(b)?,
+            Expr::Product(a, b) => self.value(a)? * self.value(b)?,
+            Expr::Remainder(a, b) => self.value(a)?.rem_euclid(self.value(b)?),
+        })
+    }
+
+    fn variable(&self, name: &'static str) -> Result<f64> {
+        self.outcome.variables.get(name).ok_or_else(|| {
+            Error::usage(
+                format!("the listing reads the variable {name} before it is set"),
+                "set it in the listing, or in the variables it is run with",
+            )
+        })
+    }
+
+    fn resolve(&self, mut call: Call) -> Result<Call> {
+        match &mut call {
+            Call::BindDepthBuffer { buffer: map }
+            | Call::BindTexture { texture: map }
+            | Call::AttachColor { texture: map }
+            | Call::AttachDepth { texture: map } => *map = self.resolve_map(*map)?,
+            Call::CopyImage { from, to } | Call::Swap { a: from, b: to } => {
+                *from = self.resolve_map(*from)?;
+                *to = self.resolve_map(*to)?;
+            }
+            _ => {}
+        }
+        Ok(call)
+    }
+
+    fn resolve_map(&self, map: Map) -> Result<Map> {
+        match map.index {
+            Index::Only | Index::Number(_) => Ok(map),
+            Index::Variable(name) => Ok(Map::numbered(map.name, self.variable(name)? as u32)),
+        }
+    }
+}
