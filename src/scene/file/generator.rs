@@ -1,0 +1,160 @@
+//! `generate = "NAME"` and the parameters of each generator.
+
+use super::keys::Keys;
+use super::limits::ANY;
+use super::mesh::COMMON;
+use crate::error::Result;
+use crate::scene::generate::{
+    Cone, Generator, Order, Plane, Quads, Slices, Soup, Teapot, TorusKnot,
+};
+
+/// Reads one generator's parameters. What is left out has the default that the generator documents.
+type Reader = fn(&Keys) -> Result<Box<dyn Generator>>;
+
+/// All of them: name, parameters, reader.
+const GENERATORS: [(&str, &[&str], Reader); 7] = [
+    ("teapot", &["cells", "color", "opacity"], teapot),
+    ("plane", &["size", "cells", "color", "opacity"], plane),
+    (
+        "quads",
+        &[
+            "count", "size", "spacing", "depths", "colors", "alpha", "order", "seed",
+        ],
+        quads,
+    ),
+    (
+        "slices",
+        &["count", "size", "cells", "alpha", "order", "seed"],
+        slices,
+    ),
+    (
+        "cone",
+        &["bottom", "top", "height", "sides", "color", "opacity"],
+        cone,
+    ),
+    (
+        "torus-knot",
+        &[
+            "p", "q", "radius", "winding", "tube", "segments", "sides", "color", "opacity",
+        ],
+        torus_knot,
+    ),
+    (
+        "soup",
+        &["count", "extent", "triangle_size", "alpha", "seed"],
+        soup,
+    ),
+];
+
+/// The generator of a mesh, its keys and parameters checked.
+pub(super) fn read(keys: &Keys) -> Result<Box<dyn Generator>> {
+    let choices = GENERATORS.each_ref().map(|entry| (entry.0, entry));
+    let Some((_, parameters, reader)) = keys.choice("generate", &choices)? else {
+        unreachable!("called for meshes with this key only")
+    };
+    keys.expect_only(&[&["generate"], *parameters, &COMMON].concat())?;
+    let generator = reader(keys)?;
+    match generator.check() {
+        Ok(()) => Ok(generator),
+        Err(refusal) => Err(keys.wrong(refusal.key, refusal.what, refusal.remedy)),
+    }
+}
+
+/// All names, for messages.
+pub(super) fn names() -> String {
+    GENERATORS.map(|(name, ..)| name).join(", ")
+}
+
+const ORDERS: [(&str, Order); 3] = [
+    ("front-to-back", Order::FrontToBack),
+    ("back-to-front", Order::BackToFront),
+    ("shuffled", Order::Shuffled),
+];
+
+fn teapot(keys: &Keys) -> Result<Box<dyn Generator>> {
+    let cells = keys.integer32("cells")?;
+    Ok(Box::new(Teapot {
+        cells: cells.unwrap_or(Teapot::default().cells),
+    }))
+}
+
+fn plane(keys: &Keys) -> Result<Box<dyn Generator>> {
+    let default = Plane::default();
+    Ok(Box::new(Plane {
+        size: keys.pair32("size", &ANY)?.unwrap_or(default.size),
+        cells: keys.integer32("cells")?.unwrap_or(default.cells),
+    }))
+}
+
+fn quads(keys: &Keys) -> Result<Box<dyn Generator>> {
+    let default = Quads::default();
+    let depths = keys.numbers32("depths", &ANY)?.unwrap_or(default.depths);
+    let count = if depths.is_empty() {
+        default.count
+    } else {
+        depths.len() as u32
+    };
+    Ok(Box::new(Quads {
+        count: keys.integer32("count")?.unwrap_or(count),
+        size: keys.pair32("size", &ANY)?.unwrap_or(default.size),
+        spacing: keys.number32("spacing", &ANY)?.unwrap_or(default.spacing),
+        depths,
+        colors: keys.vectors32("colors", &ANY)?.unwrap_or(default.colors),
+        alpha: keys.number32("alpha", &ANY)?.unwrap_or(default.alpha),
+        order: keys.choice("order", &ORDERS)?.unwrap_or_default(),
+        seed: seed(keys)?,
+    }))
+}
+
+fn slices(keys: &Keys) -> Result<Box<dyn Generator>> {
+    let default = Slices::default();
+    Ok(Box::new(Slices {
+        count: keys.integer32("count")?.unwrap_or(default.count),
+        size: keys.number32("size", &ANY)?.unwrap_or(default.size),
+        cells: keys.integer32("cells")?.unwrap_or(default.cells),
+        alpha: keys.number32("alpha", &ANY)?.unwrap_or(default.alpha),
+        order: keys.choice("order", &ORDERS)?.unwrap_or_default(),
+        seed: seed(keys)?,
+    }))
+}
+
+fn cone(keys: &Keys) -> Result<Box<dyn Generator>> {
+    let default = Cone::default();
+    Ok(Box::new(Cone {
+        bottom: keys.number32("bottom", &ANY)?.unwrap_or(default.bottom),
+        top: keys.number32("top", &ANY)?.unwrap_or(default.top),
+        height: keys.number32("height", &ANY)?.unwrap_or(default.height),
+        sides: keys.integer32("sides")?.unwrap_or(default.sides),
+    }))
+}
+
+fn torus_knot(keys: &Keys) -> Result<Box<dyn Generator>> {
+    let default = TorusKnot::default();
+    Ok(Box::new(TorusKnot {
+        p: keys.integer32("p")?.unwrap_or(default.p),
+        q: keys.integer32("q")?.unwrap_or(default.q),
+        radius: keys.number32("radius", &ANY)?.unwrap_or(default.radius),
+        winding: keys.number32("winding", &ANY)?.unwrap_or(default.winding),
+        tube: keys.number32("tube", &ANY)?.unwrap_or(default.tube),
+        segments: keys.integer32("segments")?.unwrap_or(default.segments),
+        sides: keys.integer32("sides")?.unwrap_or(default.sides),
+    }))
+}
+
+fn soup(keys: &Keys) -> Result<Box<dyn Generator>> {
+    let default = Soup::default();
+    let sizes = keys.pair32("triangle_size", &ANY)?;
+    Ok(Box::new(Soup {
+        count: keys.integer32("count")?.unwrap_or(default.count),
+        extent: keys.number32("extent", &ANY)?.unwrap_or(default.extent),
+        triangle_size: sizes.unwrap_or(default.triangle_size),
+        alpha: keys.pair32("alpha", &ANY)?.unwrap_or(default.alpha),
+        seed: seed(keys)?,
+    }))
+}
+
+/// TOML's whole numbers end at the 64-bit signed ones.
+fn seed(keys: &Keys) -> Result<u64> {
+    let seed = keys.integer("seed", &(0..=i64::MAX as u64))?;
+    Ok(seed.unwrap_or(0))
+}

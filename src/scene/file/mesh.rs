@@ -1,0 +1,180 @@
+//! `[[mesh]]`.
+
+use std::path::Path;
+
+use glam::DVec3;
+
+use super::generator;
+use super::keys::Keys;
+use super::limits::{ANY, FACTOR, FRACTION};
+use crate::error::Result;
+use crate::scene::generate::MAX_TRIANGLES;
+use crate::scene::mesh::{Mesh, Shading};
+use crate::scene::obj::{self, Paint};
+use crate::scene::transform::Transform;
+
+/// All meshes of a file, in its order.
+#[derive(Default)]
+pub(super) struct Loaded {
+    pub(super) meshes: Vec<Mesh>,
+    pub(super) notices: Vec<String>,
+}
+
+/// The keys of every mesh, wherever it comes from.
+pub(super) const COMMON: [&str; 4] = ["shading", "inside", "sorted", "transform"];
+/// The keys that say where it comes from, and those of a model.
+const OWN: [&str; 4] = ["file", "generate", "color", "opacity"];
+
+const SHADINGS: [(&str, Shading); 4] = [
+    ("none", Shading::None),
+    ("flat", Shading::Flat),
+    ("lit", Shading::Lit),
+    ("two-sided", Shading::TwoSided),
+];
+
+pub(super) fn load_all(top: &Keys) -> Result<Loaded> {
+    let mut loaded = Loaded::default();
+    let mut generated = 0;
+    for keys in top.tables("mesh", "[[mesh]]")? {
+        let first = loaded.meshes.len();
+        load(&keys, &mut generated, &mut loaded)?;
+        finish(&keys, &mut loaded, first)?;
+    }
+    Ok(loaded)
+}
+
+/// Reads or generates the meshes of one entry.
+fn load(keys: &Keys, generated: &mut u64, loaded: &mut Loaded) -> Result<()> {
+    match (keys.text("file")?, keys.text("generate")?) {
+        (Some(_), Some(_)) => Err(keys.wrong(
+            "generate",
+            "a mesh is either read from a file or generated",
+            "Take out `file` or `generate`, or make two [[mesh]] of it.",
+        )),
+        (None, None) => {
+            // A misspelt key is the likelier mistake.
+            keys.expect_only(&[OWN, COMMON].concat())?;
+            Err(keys.wrong(
+                "file",
+                "a mesh without geometry",
+                format!(
+                    "Give `file = \"model.obj\"`, or `generate` with one of: {}.",
+                    generator::names()
+                ),
+            ))
+        }
+        (Some(file), None) => {
+            keys.expect_only(&[OWN, COMMON].concat())?;
+            read_file(keys, file, loaded)
+        }
+        (None, Some(_)) => generate(keys, generated, loaded),
+    }
+}
+
+fn generate(keys: &Keys, generated: &mut u64, loaded: &mut Loaded) -> Result<()> {
+    let generator = generator::read(keys)?;
+    *generated += generator.triangle_count();
+    if *generated > MAX_TRIANGLES {
+        let what = format!(
+            "this and the meshes before it make {generated} triangles, at most {MAX_TRIANGLES} are generated"
+        );
+        return Err(keys.wrong("generate", what, "Ask for fewer."));
+    }
+    let mesh = generator.build();
+    loaded.meshes.push(if generator.has_colors() {
+        mesh
+    } else {
+        let paint = paint(keys)?;
+        let [r, g, b] = paint.color.unwrap_or([1.0; 3]);
+        mesh.painted([r, g, b, paint.opacity.unwrap_or(1.0)].into())
+    });
+    Ok(())
+}
+
+fn read_file(keys: &Keys, file: &str, loaded: &mut Loaded) -> Result<()> {
+    let folder = keys.document.path.parent().unwrap_or(Path::new(""));
+    let path = folder.join(file);
+    let extension = path.extension().unwrap_or_default();
+    if !extension.eq_ignore_ascii_case("obj") {
+        return Err(keys.wrong(
+            "file",
+            "this is not a model that can be read",
+            "Give a Wavefront model (.obj).",
+        ));
+    }
+    let model = obj::load(&path, &paint(keys)?)?;
+    loaded.meshes.extend(model.meshes);
+    loaded.notices.extend(model.notices);
+    Ok(())
+}
+
+fn paint(keys: &Keys) -> Result<Paint> {
+    Ok(Paint {
+        color: keys.vector32("color", &FRACTION)?,
+        opacity: keys.number32("opacity", &FRACTION)?,
+    })
+}
+
+/// What holds for files and generators alike.
+fn finish(keys: &Keys, loaded: &mut Loaded, first: usize) -> Result<()> {
+    let transform = transform(keys)?;
+    let shading = keys.choice("shading", &SHADINGS)?.unwrap_or_default();
+    let inside = keys.vector32("inside", &FRACTION)?;
+    let sorted = keys.flag("sorted")?.unwrap_or(false);
+    if inside.is_some() && shading != Shading::TwoSided {
+        loaded.notices.push(format!(
+            "{}: `inside` is used by shading = \"two-sided\" only",
+            keys.place("inside")
+        ));
+    }
+    for mesh in &mut loaded.meshes[first..] {
+        *mesh = std::mem::take(mesh).transformed(&transform);
+        if !mesh.is_finite() {
+            return Err(keys.wrong(
+                "transform",
+                format!(
+                    "this takes '{}' out of the range of 32-bit numbers",
+                    mesh.name
+                ),
+                "Scale and move it less.",
+            ));
+        }
+        mesh.shading = shading;
+        mesh.inside = inside.unwrap_or(mesh.inside);
+        mesh.sorted = sorted;
+        if shading == Shading::Flat {
+            *mesh = mesh.with_face_normals();
+        }
+    }
+    Ok(())
+}
+
+fn transform(keys: &Keys) -> Result<Transform> {
+    let Some(keys) = keys.table("transform", "a transform")? else {
+        return Ok(Transform::default());
+    };
+    keys.expect_only(&["scale", "rotate", "translate"])?;
+    let mut transform = Transform::default();
+    if let Some(rotate) = keys.table("rotate", "a rotation")? {
+        rotate.expect_only(&["axis", "degrees"])?;
+        let missing = "Write rotate = { axis = [0, 1, 0], degrees = 30 }.";
+        let axis = rotate.vector("axis", &ANY)?;
+        let axis = axis.ok_or_else(|| rotate.wrong("axis", "`axis` is missing", missing))?;
+        let degrees = rotate.number("degrees", &ANY)?;
+        transform.degrees =
+            degrees.ok_or_else(|| rotate.wrong("degrees", "`degrees` is missing", missing))?;
+        transform.axis = DVec3::from_array(axis)
+            .try_normalize()
+            .ok_or_else(|| rotate.wrong("axis", "an axis of length zero", missing))?;
+    }
+    if let Some(translate) = keys.vector("translate", &ANY)? {
+        transform.translate = DVec3::from_array(translate);
+    }
+    transform.scale = if keys.is_list("scale") {
+        keys.vector("scale", &FACTOR)?.map(DVec3::from_array)
+    } else {
+        keys.number("scale", &FACTOR)?.map(DVec3::splat)
+    }
+    .unwrap_or(DVec3::ONE);
+    Ok(transform)
+}

@@ -1,0 +1,184 @@
+//! Fitting a camera to what there is to see.
+
+use glam::DVec3;
+
+use super::bounds::Bounds;
+use super::camera::Camera;
+
+/// What is known of a camera; the rest is fitted. The default knows nothing.
+///
+/// - `target`: the middle of the bounds.
+/// - `up`: y, or z for an eye straight above or below the target.
+/// - `eye`: a three-quarter view from above, just far enough off to see all of the bounds.
+/// - `fov`: 30 degrees, or with a given `eye` just wide enough to see all of the bounds, at most 120 degrees.
+/// - `near` and `far`: close around the bounds; if the eye is inside them, `near` is a thousandth of `far`.
+///
+/// An empty scene is seen as if it held a cube from -1 to 1.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct PartialCamera {
+    /// Where it stands.
+    pub eye: Option<DVec3>,
+    /// What it looks at.
+    pub target: Option<DVec3>,
+    /// What is up.
+    pub up: Option<DVec3>,
+    /// Vertical field of view in degrees.
+    pub fov: Option<f64>,
+    /// Distance of the near plane.
+    pub near: Option<f64>,
+    /// Distance of the far plane.
+    pub far: Option<f64>,
+}
+
+/// The part of the half image that a fitted object fills at most.
+const FILLED: f64 = 0.95;
+/// The field of view that is not asked for, in degrees: [`PartialCamera::fov`].
+const FOV: f64 = 30.0;
+/// The widest field of view that is fitted, in degrees: beyond, perspective looks absurd.
+const WIDEST: f64 = 120.0;
+/// The margin of the clip planes, as a part of the depth that they enclose and of the distance.
+const MARGIN: f64 = 0.01;
+
+impl PartialCamera {
+    /// The whole camera for an image of `size` pixels. It may still be impossible if what was given is: [`Camera::check`].
+    pub fn fit(&self, bounds: Option<Bounds>, size: [u32; 2]) -> Camera {
+        let bounds = bounds.unwrap_or(Bounds {
+            min: DVec3::NEG_ONE,
+            max: DVec3::ONE,
+        });
+        let aspect = f64::from(size[0].max(1)) / f64::from(size[1].max(1));
+        let target = self.target.unwrap_or_else(|| self.fitted_target(&bounds));
+        let up = self.up.unwrap_or_else(|| self.fitted_up(target));
+        let (eye, fov) = match self.eye {
+            Some(eye) => {
+                let fitted = || fitted_fov(&bounds, &Axes::of(target - eye, up), eye, aspect);
+                (eye, self.fov.unwrap_or_else(fitted))
+            }
+            None => {
+                let fov = self.fov.unwrap_or(FOV);
+                (fitted_eye(&bounds, target, up, fov, aspect), fov)
+            }
+        };
+        let (near, far) = self.planes(&bounds, eye, target);
+        Camera {
+            eye,
+            target,
+            up,
+            fov,
+            near,
+            far,
+        }
+    }
+
+    fn fitted_target(&self, bounds: &Bounds) -> DVec3 {
+        let centre = bounds.centre();
+        match self.eye {
+            Some(eye) if eye == centre => eye - DVec3::Z * longest(bounds).max(1.0),
+            _ => centre,
+        }
+    }
+
+    fn fitted_up(&self, target: DVec3) -> DVec3 {
+        let direction = self.eye.map(|eye| (target - eye).normalize_or_zero());
+        match direction {
+            // Within some two degrees of the vertical, y is no help to keep the picture upright.
+            Some(direction) if direction.y.abs() > 0.999 => DVec3::Z,
+            _ => DVec3::Y,
+        }
+    }
+
+    fn planes(&self, bounds: &Bounds, eye: DVec3, target: DVec3) -> (f64, f64) {
+        let direction = (target - eye).normalize_or(DVec3::NEG_Z);
+        let depths = bounds.corners().map(|corner| (corner - eye).dot(direction));
+        let nearest = depths.into_iter().fold(f64::INFINITY, f64::min);
+        let farthest = depths.into_iter().fold(f64::NEG_INFINITY, f64::max);
+        let pad = MARGIN * (farthest - nearest) + MARGIN * farthest.abs();
+        let far = if farthest > 0.0 {
+            farthest + pad
+        } else {
+            // All of it is behind the eye: any range will do.
+            (target - eye).length() * 10.0
+        };
+        let near = if nearest > 0.0 {
+            (nearest - pad).max(nearest * 0.5)
+        } else {
+            far * 1e-3
+        };
+        match (self.near, self.far) {
+            (Some(near), Some(far)) => (near, far),
+            (Some(near), None) => (near, far.max(near * 2.0)),
+            (None, Some(far)) => (near.min(far * 0.5), far),
+            (None, None) => (near, far),
+        }
+    }
+}
+
+/// A view's own axes, in the world.
+struct Axes {
+    right: DVec3,
+    up: DVec3,
+    /// From the target to the eye.
+    back: DVec3,
+}
+
+impl Axes {
+    fn of(direction: DVec3, up: DVec3) -> Self {
+        let back = -direction.normalize_or(DVec3::NEG_Z);
+        let right = up
+            .cross(back)
+            .try_normalize()
+            .unwrap_or_else(|| back.any_orthonormal_vector());
+        Self {
+            right,
+            up: back.cross(right),
+            back,
+        }
+    }
+}
+
+/// A three-quarter view: from the front, somewhat from the right, somewhat from above.
+fn fitted_eye(bounds: &Bounds, target: DVec3, up: DVec3, fov: f64, aspect: f64) -> DVec3 {
+    let up = up.normalize_or(DVec3::Y);
+    let right = (DVec3::X - up * up.x)
+        .try_normalize()
+        .unwrap_or(DVec3::NEG_Z);
+    let front = right.cross(up);
+    let axes = Axes::of(-(front + 0.5 * right + 0.4 * up), up);
+    let tangent = (fov.to_radians() / 2.0).tan() * FILLED;
+    let needed = bounds.corners().map(|corner| {
+        let seen = corner - target;
+        let half = (seen.dot(axes.right).abs() / aspect).max(seen.dot(axes.up).abs());
+        seen.dot(axes.back) + half / tangent
+    });
+    let distance = needed.into_iter().fold(0.0, f64::max);
+    // A single point has no size to go by. The second term keeps the eye off the target where 1 is lost in rounding.
+    let distance = if distance > 0.0 {
+        distance
+    } else {
+        1.0_f64.max(target.abs().max_element() * 1e-6)
+    };
+    target + axes.back * distance
+}
+
+fn fitted_fov(bounds: &Bounds, axes: &Axes, eye: DVec3, aspect: f64) -> f64 {
+    let tangents = bounds.corners().map(|corner| {
+        let seen = corner - eye;
+        let depth = -seen.dot(axes.back);
+        let half = (seen.dot(axes.right).abs() / aspect).max(seen.dot(axes.up).abs());
+        if depth > 0.0 {
+            half / depth
+        } else {
+            f64::INFINITY
+        }
+    });
+    let tangent = tangents.into_iter().fold(0.0, f64::max) / FILLED;
+    if tangent > 0.0 {
+        (2.0 * tangent.atan().to_degrees()).clamp(1e-3, WIDEST)
+    } else {
+        FOV
+    }
+}
+
+fn longest(bounds: &Bounds) -> f64 {
+    bounds.size().max_element()
+}

@@ -1,0 +1,46 @@
+//! Surfaces made of a grid of cells.
+
+use crate::scene::mesh::{Mesh, Vertex};
+
+/// A surface over a grid: so many cells along u and v, and whether u or v ends where it starts.
+pub(super) struct Grid {
+    pub(super) cells: [u32; 2],
+    /// A direction that is closed has no vertices of its own at its end.
+    pub(super) closed: [bool; 2],
+}
+
+impl Grid {
+    /// A sheet.
+    pub(super) fn open(u: u32, v: u32) -> Self {
+        Self {
+            cells: [u, v],
+            closed: [false; 2],
+        }
+    }
+
+    /// Two triangles per cell. Saturating, because it is asked before the number is known to be small.
+    pub(super) fn triangle_count(&self) -> u64 {
+        (2 * u64::from(self.cells[0])).saturating_mul(u64::from(self.cells[1]))
+    }
+
+    /// Adds the surface to what is there already, each vertex from its u and v, 0 to 1. Triangles are counter-clockwise
+    /// for an eye on the side that (along u) x (along v) points to.
+    pub(super) fn add_to(&self, mesh: &mut Mesh, vertex: impl Fn(f64, f64) -> Vertex) {
+        let first = mesh.vertices.len() as u32;
+        let [columns, rows] = self.cells;
+        let width = columns + u32::from(!self.closed[0]);
+        let height = rows + u32::from(!self.closed[1]);
+        for j in 0..height {
+            let v = f64::from(j) / f64::from(rows);
+            let row = (0..width).map(|i| vertex(f64::from(i) / f64::from(columns), v));
+            mesh.vertices.extend(row);
+        }
+        let at = |i, j| first + j % height * width + i % width;
+        for j in 0..rows {
+            for i in 0..columns {
+                let [a, b, c, d] = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)];
+                mesh.triangles.extend([[a, b, c], [a, c, d]]);
+            }
+        }
+    }
+}

@@ -1,0 +1,131 @@
+//! The Utah teapot from its 32 Bezier patches.
+
+use glam::{DVec3, dvec3};
+
+use super::grid::Grid;
+use super::limits::{count_within, few_enough};
+use super::teapot_patches::{HALVES, Patch, QUARTERS};
+use super::{Generator, Refusal, WHITE, checked, named};
+use crate::error::Result;
+use crate::scene::mesh::{Mesh, Vertex};
+
+/// The teapot standing on y = 0 with its spout at +x, 3.15 high, in the published size. Its spout is open and so is the
+/// gap between lid and rim, and body, handle and spout go through each other: with two-sided shading one sees inside.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Teapot {
+    /// Cells along each edge of a patch, 1 to 559.
+    pub cells: u32,
+}
+
+impl Default for Teapot {
+    /// 6320 triangles.
+    fn default() -> Self {
+        Self { cells: 10 }
+    }
+}
+
+/// The teapot: 64 `cells`² triangles, less the 8 `cells` that vanish at the poles (and, with one cell, 4 at the spout's
+/// lip, whose corners are on one line). Normals are the patches' own.
+///
+/// # Errors
+/// `cells` is out of its range.
+pub fn teapot(parameters: &Teapot) -> Result<Mesh> {
+    checked(parameters)
+}
+
+impl Generator for Teapot {
+    fn check(&self) -> Result<(), Refusal> {
+        count_within("cells", self.cells, [1, u32::MAX])?;
+        few_enough("cells", self.triangle_count())
+    }
+
+    fn triangle_count(&self) -> u64 {
+        Grid::open(self.cells, self.cells)
+            .triangle_count()
+            .saturating_mul(32)
+    }
+
+    fn build(&self) -> Mesh {
+        let mut mesh = named("teapot");
+        for patch in patches() {
+            Grid::open(self.cells, self.cells).add_to(&mut mesh, |u, v| vertex(&patch, u, v));
+        }
+        mesh.drop_degenerate();
+        mesh.painted(WHITE)
+    }
+}
+
+/// All 32, u and v such that (along u) x (along v) points out of the pot.
+fn patches() -> impl Iterator<Item = Patch> {
+    let quarters = QUARTERS.iter().flat_map(|patch| {
+        let opposite = mirrored(&mirrored(patch, 0), 1);
+        [*patch, mirrored(patch, 0), opposite, mirrored(patch, 1)]
+    });
+    let halves = HALVES.iter().flat_map(|patch| [*patch, mirrored(patch, 1)]);
+    quarters.chain(halves)
+}
+
+/// The mirror image in an axis. Its rows run the other way, so that its outside stays outside.
+fn mirrored(patch: &Patch, axis: usize) -> Patch {
+    patch.map(|mut row| {
+        row.reverse();
+        row.map(|mut point| {
+            point[axis] = -point[axis];
+            point
+        })
+    })
+}
+
+/// A point of a patch, turned so that y is up.
+fn vertex(patch: &Patch, u: f64, v: f64) -> Vertex {
+    let upright = |point: DVec3| dvec3(point.x, point.z, -point.y).as_vec3();
+    Vertex {
+        position: upright(sum(patch, weights(u), weights(v))),
+        normal: upright(normal(patch, u, v)),
+        ..Vertex::default()
+    }
+}
+
+/// The unit normal. At a pole a whole row of control points is one point, so that the patch does not change along u;
+/// just beside it, it does by the mixed derivative times the distance, and the normal's limit follows from that.
+fn normal(patch: &Patch, u: f64, v: f64) -> DVec3 {
+    let along_u = sum(patch, slopes(u), weights(v));
+    let along_v = sum(patch, weights(u), slopes(v));
+    // The teapot's lengths are around 1: this is far above the rounding of its derivatives, and far below all of them
+    // that are not 0.
+    if along_u.length() > 1e-9 {
+        return along_u.cross(along_v).normalize();
+    }
+    let mixed = sum(patch, slopes(u), slopes(v));
+    let beside = if v < 0.5 { mixed } else { -mixed };
+    beside.cross(along_v).normalize()
+}
+
+/// The control points by the weights along u (within a row) and along v (from row to row).
+fn sum(patch: &Patch, along_u: [f64; 4], along_v: [f64; 4]) -> DVec3 {
+    let rows = patch.iter().zip(along_v);
+    let points = rows.flat_map(|(row, by_v)| {
+        let points = row.iter().zip(along_u);
+        points.map(move |(&[x, y, z], by_u)| {
+            dvec3(f64::from(x), f64::from(y), f64::from(z)) * (by_u * by_v)
+        })
+    });
+    points.sum()
+}
+
+/// The cubic Bernstein polynomials.
+fn weights(t: f64) -> [f64; 4] {
+    let s = 1.0 - t;
+    [s * s * s, 3.0 * s * s * t, 3.0 * s * t * t, t * t * t]
+}
+
+/// Their derivatives.
+fn slopes(t: f64) -> [f64; 4] {
+    let s = 1.0 - t;
+    [
+        -3.0 * s * s,
+        3.0 * s * (s - 2.0 * t),
+        3.0 * t * (2.0 * s - t),
+        3.0 * t * t,
+    ]
+}

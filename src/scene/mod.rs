@@ -1,0 +1,125 @@
+//! What is to be rendered: meshes, a camera, a background. No GL.
+//!
+//! A scene comes from a TOML scene file ([`Scene::load`]), from a bare model file, or from code.
+//! Everything is resolved when it is loaded: the camera is fitted, colours and opacities are per vertex, polygons are
+//! triangles, normals are there. What had to be repaired or left out on the way is said in [`Scene::notices`].
+
+mod bounds;
+mod camera;
+mod chance;
+mod file;
+mod fit;
+pub mod generate;
+mod mesh;
+mod normals;
+mod obj;
+mod source;
+mod transform;
+
+use std::path::Path;
+
+pub use bounds::Bounds;
+pub use camera::Camera;
+pub use fit::PartialCamera;
+pub use mesh::{Mesh, Shading, Vertex};
+pub use source::MAX_BYTES;
+pub use transform::Transform;
+
+use crate::error::{Error, Place, Result};
+
+/// Everything an image depends on.
+#[derive(Clone, Debug)]
+pub struct Scene {
+    /// Name for reports: the file's stem or the generator's name.
+    pub name: String,
+    /// Width and height of the image in pixels.
+    pub size: [u32; 2],
+    /// Linear RGB, opaque.
+    pub background: [f32; 3],
+    /// From where it is seen.
+    pub camera: Camera,
+    /// In the order of submission, which decides between coplanar surfaces.
+    pub meshes: Vec<Mesh>,
+    /// What was repaired, skipped or assumed while loading, a sentence each, for the user.
+    pub notices: Vec<String>,
+}
+
+impl Scene {
+    /// The size of an image that nobody asked for another size.
+    pub const DEFAULT_SIZE: [u32; 2] = [1024, 768];
+
+    /// Reads a scene file (`.toml`) or a bare model (`.obj`, shaded [`Shading::Lit`] and seen by a fitted camera).
+    ///
+    /// # Errors
+    /// [`Error::Input`] with the file, and as far as known the line and the token, for everything that is wrong with it
+    /// or with a file it names: it is not there, too large ([`MAX_BYTES`]), not text, truncated; a key is unknown, a
+    /// value of the wrong type or out of range; a vertex is not finite, an index out of range.
+    pub fn load(path: impl AsRef<Path>) -> Result<Self> {
+        Self::load_at(path, None)
+    }
+
+    /// Reads the same, for an image of another size than the file asks for. What is fitted of the camera is fitted to
+    /// that size.
+    ///
+    /// # Errors
+    /// As [`Scene::load`].
+    pub fn load_at(path: impl AsRef<Path>, size: Option<[u32; 2]>) -> Result<Self> {
+        let path = path.as_ref();
+        let extension = path.extension().unwrap_or_default().to_ascii_lowercase();
+        match extension.to_str() {
+            Some("toml") => file::load(path, size),
+            Some("obj") => Self::load_model(path, size),
+            _ => Err(Error::input(
+                Place::file(path),
+                "this is neither a scene file nor a model that can be read",
+                "Give a scene file (.toml) or a Wavefront model (.obj).",
+            )),
+        }
+    }
+
+    /// Meshes in front of black, seen by a fitted camera.
+    pub fn of(name: impl Into<String>, meshes: Vec<Mesh>) -> Self {
+        Self::of_size(name, meshes, Self::DEFAULT_SIZE)
+    }
+
+    fn of_size(name: impl Into<String>, meshes: Vec<Mesh>, size: [u32; 2]) -> Self {
+        Self {
+            name: name.into(),
+            size,
+            background: [0.0; 3],
+            camera: PartialCamera::default().fit(joined(&meshes), size),
+            meshes,
+            notices: Vec::new(),
+        }
+    }
+
+    /// The box of all vertices of all meshes; `None` if there are none.
+    pub fn bounds(&self) -> Option<Bounds> {
+        joined(&self.meshes)
+    }
+
+    /// How many triangles there are in all.
+    pub fn triangle_count(&self) -> usize {
+        self.meshes.iter().map(Mesh::triangle_count).sum()
+    }
+
+    fn load_model(path: &Path, size: Option<[u32; 2]>) -> Result<Self> {
+        let model = obj::load(path, &obj::Paint::default())?;
+        let mut scene = Self::of_size(stem(path), model.meshes, size.unwrap_or(Self::DEFAULT_SIZE));
+        scene.notices = model.notices;
+        for mesh in &mut scene.meshes {
+            mesh.shading = Shading::Lit;
+        }
+        Ok(scene)
+    }
+}
+
+fn joined(meshes: &[Mesh]) -> Option<Bounds> {
+    let boxes = meshes.iter().filter_map(Mesh::bounds);
+    boxes.reduce(Bounds::joined)
+}
+
+fn stem(path: &Path) -> String {
+    let stem = path.file_stem().unwrap_or_default();
+    stem.to_string_lossy().into_owned()
+}

@@ -1,0 +1,81 @@
+//! A file that a person named: read once, whole, and never more than [`MAX_BYTES`] of it.
+
+use std::fs::{self, File};
+use std::io::{ErrorKind, Read};
+use std::path::Path;
+
+use crate::error::{Error, Place, Result};
+
+/// The largest file that is read: 2 GiB, some thirty million triangles of OBJ. A larger one is refused by its size,
+/// before a byte of it is read.
+pub const MAX_BYTES: u64 = 2 << 30;
+
+/// How much is looked at before the rest is read: enough to tell a picture or an archive from a text.
+const HEAD: u64 = 4096;
+
+/// The file's bytes, which look like text (there is no NUL in its head).
+pub(super) fn read(path: &Path) -> Result<Vec<u8>> {
+    let metadata = fs::metadata(path).map_err(|error| unreadable(path, &error))?;
+    if metadata.is_dir() {
+        let what = "this is a directory, not a file";
+        return Err(refused(path, what, "Name the file in it that you mean."));
+    }
+    if !metadata.is_file() {
+        let what = "this is a device or a pipe, not a file";
+        return Err(refused(path, what, "Write its content to a file first."));
+    }
+    if metadata.len() > MAX_BYTES {
+        let what = format!(
+            "the file has {} bytes; at most {MAX_BYTES} (2 GiB) are read",
+            metadata.len()
+        );
+        return Err(refused(
+            path,
+            &what,
+            "Split it into several files, or simplify the model.",
+        ));
+    }
+    read_text(path).map_err(|error| unreadable(path, &error))?
+}
+
+/// The outer error is the system's, the inner one ours.
+fn read_text(path: &Path) -> std::io::Result<Result<Vec<u8>>> {
+    let mut file = File::open(path)?;
+    let mut bytes = Vec::new();
+    file.by_ref().take(HEAD).read_to_end(&mut bytes)?;
+    if let Some(at) = bytes.iter().position(|&byte| byte == 0) {
+        let line = 1 + bytes[..at].iter().filter(|&&byte| byte == b'\n').count();
+        return Ok(Err(Error::input(
+            Place::line(path, line),
+            "this is a binary file (or UTF-16): it has a zero byte",
+            "Give a text file; if it is one, save it as UTF-8.",
+        )));
+    }
+    // The size may have changed since it was asked for, so the limit is kept here as well.
+    file.take(MAX_BYTES).read_to_end(&mut bytes)?;
+    Ok(Ok(bytes))
+}
+
+fn unreadable(path: &Path, error: &std::io::Error) -> Error {
+    match error.kind() {
+        ErrorKind::NotFound => refused(
+            path,
+            "there is no such file",
+            "Check the spelling. Paths in a scene file start at the scene file's folder.",
+        ),
+        ErrorKind::PermissionDenied => refused(
+            path,
+            "the file may not be read",
+            "Check its permissions and those of its folders.",
+        ),
+        _ => refused(
+            path,
+            &format!("the file cannot be read: {error}"),
+            "Check that the path names a readable file.",
+        ),
+    }
+}
+
+fn refused(path: &Path, what: &str, remedy: &str) -> Error {
+    Error::input(Place::file(path), what, remedy)
+}

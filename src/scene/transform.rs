@@ -1,0 +1,69 @@
+//! Moving a mesh.
+
+use glam::{DAffine3, DMat3, DQuat, DVec3};
+
+use super::mesh::Mesh;
+
+/// Scaled first, then rotated about the origin, then moved. The default changes nothing.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Transform {
+    /// In the scene's units.
+    pub translate: DVec3,
+    /// The axis of the rotation, of any length but zero.
+    pub axis: DVec3,
+    /// The angle of the rotation in degrees, counter-clockwise for an eye that the axis points at.
+    pub degrees: f64,
+    /// Factors along x, y and z, none of them zero. An odd number of negative ones mirrors the mesh; its outside
+    /// stays outside.
+    pub scale: DVec3,
+}
+
+impl Default for Transform {
+    fn default() -> Self {
+        Self {
+            translate: DVec3::ZERO,
+            axis: DVec3::Y,
+            degrees: 0.0,
+            scale: DVec3::ONE,
+        }
+    }
+}
+
+impl Mesh {
+    /// The same mesh elsewhere. A coordinate beyond the range of f32 becomes infinite: [`Mesh::is_finite`].
+    #[must_use]
+    pub fn transformed(mut self, transform: &Transform) -> Self {
+        if *transform == Transform::default() {
+            return self;
+        }
+        let axis = transform.axis.normalize_or(DVec3::Y);
+        let rotation = DQuat::from_axis_angle(axis, transform.degrees.to_radians());
+        let to_world = DAffine3::from_scale_rotation_translation(
+            transform.scale,
+            rotation,
+            transform.translate,
+        );
+        // Normals take the inverse scale, so that they stay perpendicular to what they stand on.
+        let for_normals =
+            DMat3::from_quat(rotation) * DMat3::from_diagonal(transform.scale.recip());
+        for vertex in &mut self.vertices {
+            let position = to_world.transform_point3(vertex.position.as_dvec3());
+            let normal = for_normals * vertex.normal.as_dvec3();
+            vertex.position = position.as_vec3();
+            vertex.normal = normal.normalize_or(DVec3::Z).as_vec3();
+        }
+        if transform.scale.element_product() < 0.0 {
+            for triangle in &mut self.triangles {
+                triangle.swap(1, 2);
+            }
+        }
+        self
+    }
+
+    /// Whether every position and normal is finite.
+    pub fn is_finite(&self) -> bool {
+        self.vertices
+            .iter()
+            .all(|vertex| vertex.position.is_finite() && vertex.normal.is_finite())
+    }
+}

@@ -1,0 +1,85 @@
+//! The scenes that come with the crate.
+
+use std::path::Path;
+
+use onionskin::scene::{Mesh, Scene, Shading};
+
+fn load(name: &str) -> Scene {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/scenes");
+    Scene::load(folder.join(name)).unwrap_or_else(|error| panic!("{error}"))
+}
+
+#[test]
+fn the_molecule_has_its_five_meshes_with_every_triangle_that_covers_something() {
+    let scene = load("molecule.toml");
+    let counts: Vec<usize> = scene.meshes.iter().map(|m| m.triangle_count()).collect();
+    // `grep -c "^f"` of the five files, which hold triangles only, less those with two corners in one place: 40 and 18
+    // of the isosurfaces, whose coordinates were rounded to three digits (counted with numpy).
+    assert_eq!(counts, [12816, 3920, 62640 - 40, 33808 - 18, 49472]);
+    assert_eq!(scene.notices.len(), 2, "{:?}", scene.notices);
+}
+
+/// Loads it and looks at what every bundled scene must be: translucent somewhere, in view, and without notices.
+#[track_caller]
+fn check(name: &str, meshes: usize) -> Scene {
+    let scene = load(name);
+    assert_eq!(scene.meshes.len(), meshes);
+    assert!(scene.meshes.iter().any(|mesh| !mesh.opaque));
+    assert!(scene.camera.check().is_ok());
+    assert_eq!(scene.notices, Vec::<String>::new());
+    scene
+}
+
+#[test]
+fn the_teapot_stands_on_its_plane_red_outside_and_green_inside() {
+    let scene = check("teapot.toml", 2);
+    let [plane, pot] = &scene.meshes[..] else {
+        panic!("two meshes")
+    };
+    let bounds = |mesh: &Mesh| mesh.bounds().expect("vertices");
+    assert!(
+        bounds(plane).max.y < bounds(pot).min.y,
+        "they must not be coplanar"
+    );
+    assert!(pot.vertices[0].color.r > 0.9 && pot.inside[1] > 0.8);
+    assert!(plane.vertices[0].color.b > 0.9 && plane.inside[2] > 0.9);
+    assert_eq!(pot.shading, Shading::TwoSided);
+}
+
+#[test]
+fn the_slices_are_sorted_and_the_cone_is_not() {
+    let scene = check("slices.toml", 2);
+    assert_eq!(
+        [scene.meshes[0].sorted, scene.meshes[1].sorted],
+        [true, false]
+    );
+}
+
+#[test]
+fn the_quads_are_six() {
+    assert_eq!(check("quads.toml", 1).triangle_count(), 12);
+}
+
+#[test]
+fn the_knots_go_through_each_other() {
+    let scene = check("knots.toml", 3);
+    let boxes: Vec<_> = scene.meshes.iter().filter_map(Mesh::bounds).collect();
+    for (a, b) in [(0, 1), (1, 2), (2, 0)] {
+        let overlap = boxes[a].max.min(boxes[b].max) - boxes[a].min.max(boxes[b].min);
+        assert!(overlap.cmpgt(glam::DVec3::ZERO).all());
+    }
+}
+
+#[test]
+fn the_soup_has_a_thousand_triangles() {
+    assert_eq!(check("soup.toml", 1).triangle_count(), 1000);
+}
+
+#[test]
+fn the_molecules_camera_is_the_one_written_down() {
+    let camera = load("molecule.toml").camera;
+    assert_eq!(
+        [camera.fov, camera.near, camera.far],
+        [23.5, 95.6533, 166.8219]
+    );
+}

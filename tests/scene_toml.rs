@@ -1,0 +1,531 @@
+//! Scene files: every key, and what is wrong with a value is said where it stands.
+
+mod scene_kit;
+
+use glam::{DVec3, Vec3};
+use onionskin::fragment::Rgba;
+use onionskin::scene::{Scene, Shading};
+use scene_kit::{Folder, Refused, bad_toml, refused, toml};
+
+const SQUARE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
+
+/// A scene with the square as its only mesh and these further keys of it.
+fn square_with(keys: &str) -> Result<Scene, onionskin::Error> {
+    Folder::new()
+        .with("square.obj", SQUARE)
+        .with(
+            "scene.toml",
+            format!("[[mesh]]\nfile = \"square.obj\"\n{keys}\n"),
+        )
+        .load("scene.toml")
+}
+
+/// The same, loaded.
+fn square(keys: &str) -> Scene {
+    square_with(keys).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// The error of a mesh with this as its third line.
+#[track_caller]
+fn bad_mesh(keys: &str) -> Refused {
+    refused(square_with(keys))
+}
+
+/// The error of a camera with this as its second line.
+#[track_caller]
+fn bad_camera(keys: &str) -> Refused {
+    bad_toml(&format!("[camera]\n{keys}\n"))
+}
+
+#[test]
+fn every_key_of_the_top_is_read() {
+    let scene = toml("size = [640, 480]\nbackground = [1, 0.5, 0.25]\n");
+    assert_eq!(scene.size, [640, 480]);
+    assert_eq!(scene.background, [1.0, 0.5, 0.25]);
+    assert_eq!(scene.name, "scene");
+}
+
+#[test]
+fn an_empty_file_is_a_black_picture() {
+    let scene = toml("");
+    assert_eq!(scene.size, Scene::DEFAULT_SIZE);
+    assert_eq!(scene.background, [0.0; 3]);
+    assert!(scene.meshes.is_empty());
+    assert!(scene.camera.check().is_ok());
+}
+
+#[test]
+fn every_key_of_the_camera_is_read() {
+    let scene = toml(
+        "[camera]\neye = [1, 2, 3]\ntarget = [4, 5, 6]\nup = [0, 0, 1]\nfov = 45\nnear = 0.5\nfar = 20.0\n",
+    );
+    let camera = scene.camera;
+    assert_eq!(camera.eye, DVec3::new(1.0, 2.0, 3.0));
+    assert_eq!(camera.target, DVec3::new(4.0, 5.0, 6.0));
+    assert_eq!(camera.up, DVec3::Z);
+    assert_eq!([camera.fov, camera.near, camera.far], [45.0, 0.5, 20.0]);
+}
+
+#[test]
+fn colour_and_opacity_go_to_the_vertices() {
+    let scene = square("color = [0.5, 0.25, 1]\nopacity = 0.75");
+    let expected = Rgba::new(0.5, 0.25, 1.0, 0.75);
+    assert!(scene.meshes[0].vertices.iter().all(|v| v.color == expected));
+}
+
+#[test]
+fn a_mesh_is_opaque_if_its_opacity_is_1() {
+    assert!(square("opacity = 1").meshes[0].opaque);
+    assert!(!square("opacity = 0.999").meshes[0].opaque);
+}
+
+#[test]
+fn every_shading_is_known() {
+    let known = [
+        ("none", Shading::None),
+        ("flat", Shading::Flat),
+        ("lit", Shading::Lit),
+        ("two-sided", Shading::TwoSided),
+    ];
+    for (word, shading) in known {
+        let scene = square(&format!("shading = \"{word}\""));
+        assert_eq!(scene.meshes[0].shading, shading);
+    }
+}
+
+#[test]
+fn without_shading_a_mesh_is_unlit() {
+    assert_eq!(square("").meshes[0].shading, Shading::None);
+}
+
+#[test]
+fn flat_shading_gives_each_triangle_its_own_vertices() {
+    assert_eq!(square("").meshes[0].vertices.len(), 4);
+    assert_eq!(square("shading = \"flat\"").meshes[0].vertices.len(), 6);
+}
+
+#[test]
+fn the_inside_has_its_own_colour_or_the_outsides() {
+    let given = square("color = [1, 0, 0]\nshading = \"two-sided\"\ninside = [0, 1, 0]");
+    assert_eq!(given.meshes[0].inside, [0.0, 1.0, 0.0]);
+    let left_out = square("color = [1, 0, 0]\nshading = \"two-sided\"");
+    assert_eq!(left_out.meshes[0].inside, [1.0, 0.0, 0.0]);
+}
+
+#[test]
+fn an_inside_that_is_not_seen_is_a_notice() {
+    let scene = square("inside = [0, 1, 0]");
+    assert!(
+        scene.notices[0].contains("scene.toml:3"),
+        "{:?}",
+        scene.notices
+    );
+}
+
+#[test]
+fn sorted_is_read() {
+    assert!(square("sorted = true").meshes[0].sorted);
+    assert!(!square("").meshes[0].sorted);
+}
+
+#[test]
+fn a_transform_scales_then_rotates_then_moves() {
+    let scene = square(
+        "transform = { translate = [10, 0, 0], rotate = { axis = [0, 0, 2], degrees = 90 }, scale = [2, 3, 1] }",
+    );
+    // (1, 1, 0) scaled is (2, 3, 0), turned by 90 degrees about z (-3, 2, 0).
+    let corner = scene.meshes[0].vertices[2].position;
+    // The sine and cosine of 90 degrees are off by 6e-17 in f64, far below one step of f32 at 7.
+    assert_eq!(corner, Vec3::new(7.0, 2.0, 0.0));
+}
+
+#[test]
+fn a_transform_may_be_a_table_of_its_own() {
+    let scene = square("[mesh.transform]\nscale = 2\ntranslate = [0, 0, 1]");
+    assert_eq!(
+        scene.meshes[0].vertices[2].position,
+        Vec3::new(2.0, 2.0, 1.0)
+    );
+}
+
+#[test]
+fn normals_stay_perpendicular_under_an_uneven_scale() {
+    let slope = "v 0 0 0\nv 0 0 -1\nv 1 1 0\nf 1 2 3\n";
+    let scene = Folder::new()
+        .with("m.obj", slope)
+        .with(
+            "s.toml",
+            "[[mesh]]\nfile = \"m.obj\"\ntransform = { scale = [1, 4, 1] }\n",
+        )
+        .load("s.toml")
+        .expect("it loads");
+    let [a, b, c] = scene.meshes[0].corners(0);
+    let across = (b.position - a.position)
+        .cross(c.position - a.position)
+        .normalize();
+    // Both were rounded to f32 a few times.
+    assert!((across - a.normal).length() < 1e-6, "{across} {}", a.normal);
+}
+
+#[test]
+fn a_mirrored_mesh_keeps_its_outside_outside() {
+    let scene = square("transform = { scale = [-1, 1, 1] }");
+    let mesh = &scene.meshes[0];
+    for triangle in 0..2 {
+        let [a, b, c] = mesh.corners(triangle);
+        let across = (b.position - a.position).cross(c.position - a.position);
+        assert!(across.dot(a.normal) > 0.0);
+    }
+}
+
+#[test]
+fn paths_start_at_the_scene_files_folder() {
+    let folder = Folder::new();
+    std::fs::create_dir(folder.path("meshes")).expect("a folder");
+    let folder = folder
+        .with("meshes/m.obj", SQUARE)
+        .with("s.toml", "[[mesh]]\nfile = \"meshes/m.obj\"\n");
+    assert_eq!(folder.load("s.toml").expect("it loads").triangle_count(), 2);
+}
+
+#[test]
+fn an_error_in_a_model_names_the_model() {
+    let folder = Folder::new()
+        .with("m.obj", "v 0 0\n")
+        .with("s.toml", "[[mesh]]\nfile = \"m.obj\"\n");
+    let error = refused(folder.load("s.toml"));
+    assert_eq!(error.file, "m.obj");
+    error.at(1, "0 0");
+}
+
+#[test]
+fn a_missing_scene_file() {
+    refused(Folder::new().load("gone.toml")).says("no such file");
+}
+
+#[test]
+fn a_missing_model_says_where_paths_start() {
+    let folder = Folder::new().with("s.toml", "[[mesh]]\nfile = \"gone.obj\"\n");
+    refused(folder.load("s.toml"))
+        .says("no such file")
+        .suggests("scene file's folder");
+}
+
+#[test]
+fn a_file_that_is_not_toml() {
+    bad_toml("size = [1, 2\nbackground = 3\n").says("not TOML");
+}
+
+#[test]
+fn a_repeated_key() {
+    let error = bad_toml("size = [1, 2]\nsize = [1, 2]\n").says("not TOML");
+    assert_eq!(error.line, Some(2));
+}
+
+#[test]
+fn a_file_that_is_not_utf_8() {
+    let folder = Folder::new().with("s.toml", b"# a\n# \xff\n");
+    let error = refused(folder.load("s.toml")).says("UTF-8");
+    assert_eq!(error.line, Some(2));
+}
+
+#[test]
+fn a_binary_file() {
+    let folder = Folder::new().with("s.toml", b"\0\0");
+    refused(folder.load("s.toml")).says("binary");
+}
+
+#[test]
+fn an_unknown_key_at_the_top_is_told_from_a_misspelt_one() {
+    bad_toml("\nsise = [1, 1]\n")
+        .at(2, "sise")
+        .suggests("Did you mean 'size'?");
+    let error = bad_toml("wibble = 1\n").at(1, "wibble");
+    assert!(!error.remedy.contains("Did you mean"), "{error:?}");
+    error.suggests("size, background, camera, mesh");
+}
+
+#[test]
+fn the_first_unknown_key_in_the_file_is_named() {
+    bad_toml("zz = 1\naa = 2\n").at(1, "zz");
+}
+
+#[test]
+fn an_unknown_key_of_the_camera() {
+    bad_camera("eyes = [0, 0, 1]")
+        .at(2, "eyes")
+        .says("[camera]")
+        .suggests("'eye'");
+}
+
+#[test]
+fn an_unknown_key_of_a_mesh() {
+    bad_mesh("colour = [0, 0, 1]")
+        .at(3, "colour")
+        .says("[[mesh]]")
+        .suggests("'color'");
+}
+
+#[test]
+fn an_unknown_key_of_a_transform() {
+    bad_mesh("transform = { move = [0, 0, 1] }")
+        .at(3, "move")
+        .suggests("translate");
+    bad_mesh("transform = { rotate = { axis = [0, 0, 1], angle = 3 } }").at(3, "angle");
+}
+
+#[test]
+fn a_parameter_of_another_generator_is_an_unknown_key() {
+    bad_toml("[[mesh]]\ngenerate = \"quads\"\nsegments = 3\n")
+        .at(3, "segments")
+        .suggests("spacing");
+}
+
+#[test]
+fn a_generator_with_colours_of_its_own_takes_no_other() {
+    bad_toml("[[mesh]]\ngenerate = \"quads\"\ncolor = [1, 0, 0]\n")
+        .at(3, "color")
+        .suggests("colors");
+}
+
+#[test]
+fn an_unknown_generator() {
+    bad_toml("[[mesh]]\ngenerate = \"teepot\"\n")
+        .at(2, "\"teepot\"")
+        .suggests("\"teapot\"");
+}
+
+#[test]
+fn an_unknown_shading() {
+    bad_mesh("shading = \"twosided\"")
+        .at(3, "\"twosided\"")
+        .suggests("\"two-sided\"");
+}
+
+#[test]
+fn a_mesh_without_geometry() {
+    bad_toml("[[mesh]]\ncolor = [1, 0, 0]\n")
+        .says("without geometry")
+        .suggests("torus-knot");
+}
+
+#[test]
+fn a_mesh_with_two_geometries() {
+    bad_mesh("generate = \"soup\"")
+        .at(3, "\"soup\"")
+        .says("either");
+}
+
+#[test]
+fn a_model_in_another_format() {
+    bad_toml("[[mesh]]\nfile = \"m.ply\"\n")
+        .at(2, "\"m.ply\"")
+        .suggests(".obj");
+}
+
+#[test]
+fn a_volume_is_not_supported_yet() {
+    let error =
+        bad_toml("size = [4, 4]\n\n[[volume]]\nfile = \"v.nhdr\"\nstep = 0.5\n").says("volumes");
+    assert_eq!(error.line, Some(4));
+}
+
+#[test]
+fn meshes_as_one_table() {
+    bad_toml("[mesh]\nfile = \"m.obj\"\n").suggests("[[mesh]]");
+}
+
+#[test]
+fn a_size_of_0() {
+    bad_toml("size = [0, 100]\n")
+        .at(1, "0")
+        .suggests("1 to 65535");
+}
+
+#[test]
+fn a_size_beyond_65535() {
+    bad_toml("size = [100, 65536]\n").at(1, "65536");
+}
+
+#[test]
+fn a_negative_size() {
+    bad_toml("size = [-1, 100]\n")
+        .at(1, "-1")
+        .suggests("1 to 65535");
+}
+
+#[test]
+fn a_size_with_a_fraction() {
+    bad_toml("size = [1.5, 100]\n")
+        .at(1, "1.5")
+        .says("a number")
+        .suggests("whole number");
+}
+
+#[test]
+fn a_size_of_three() {
+    bad_toml("size = [1, 2, 3]\n")
+        .at(1, "[1, 2, 3]")
+        .suggests("two whole numbers");
+}
+
+#[test]
+fn a_size_that_is_text() {
+    bad_toml("size = \"large\"\n")
+        .at(1, "\"large\"")
+        .says("text");
+}
+
+#[test]
+fn a_background_out_of_range() {
+    bad_toml("background = [0, 0, 1.5]\n")
+        .at(1, "1.5")
+        .suggests("0 to 1");
+}
+
+#[test]
+fn colours_of_nan_and_infinity() {
+    bad_mesh("color = [nan, 0, 0]").at(3, "nan");
+    bad_mesh("color = [0, inf, 0]").at(3, "inf");
+    bad_mesh("color = [0, 0, -0.1]").at(3, "-0.1");
+}
+
+#[test]
+fn an_opacity_out_of_range() {
+    bad_mesh("opacity = 1.01")
+        .at(3, "1.01")
+        .says("out of range");
+    bad_mesh("opacity = -0.01").at(3, "-0.01");
+    bad_mesh("opacity = nan").at(3, "nan");
+    bad_mesh("opacity = \"half\"")
+        .at(3, "\"half\"")
+        .suggests("number from 0 to 1");
+}
+
+#[test]
+fn an_inside_out_of_range() {
+    bad_mesh("shading = \"two-sided\"\ninside = [2, 0, 0]").at(4, "2");
+}
+
+#[test]
+fn sorted_that_is_a_number() {
+    bad_mesh("sorted = 1").at(3, "1").suggests("true or false");
+}
+
+#[test]
+fn a_field_of_view_out_of_range() {
+    bad_camera("fov = 0").at(2, "0");
+    bad_camera("fov = 180")
+        .at(2, "180")
+        .suggests("less than 180");
+    bad_camera("fov = nan").at(2, "nan");
+}
+
+#[test]
+fn a_near_plane_that_is_not_in_front() {
+    bad_camera("near = 0").at(2, "0");
+    bad_camera("near = -1").at(2, "-1");
+    bad_camera("near = inf").at(2, "inf");
+}
+
+#[test]
+fn a_far_plane_that_is_not_beyond_near() {
+    bad_camera("near = 2\nfar = 1").at(3, "1").says("far");
+    bad_camera("near = 2\nfar = 2").at(3, "2").says("far");
+}
+
+#[test]
+fn an_eye_at_the_target() {
+    bad_camera("eye = [1, 2, 3]\ntarget = [1, 2, 3]")
+        .at(3, "[1, 2, 3]")
+        .says("where the eye is");
+}
+
+#[test]
+fn an_up_along_the_view() {
+    bad_camera("eye = [0, 0, 5]\ntarget = [0, 0, 0]\nup = [0, 0, 1]")
+        .at(4, "[0, 0, 1]")
+        .says("view direction");
+}
+
+#[test]
+fn an_up_of_zero() {
+    bad_camera("up = [0, 0, 0]").at(2, "[0, 0, 0]");
+}
+
+#[test]
+fn an_eye_of_nan() {
+    bad_camera("eye = [0, nan, 0]").at(2, "nan");
+    bad_camera("eye = [0, 0, 1e300]")
+        .at(2, "1e300")
+        .suggests("32 bits");
+}
+
+#[test]
+fn a_scale_of_zero() {
+    bad_mesh("transform = { scale = 0 }")
+        .at(3, "0")
+        .says("out of range");
+    bad_mesh("transform = { scale = [1, 0, 1] }").at(3, "0");
+}
+
+#[test]
+fn a_rotation_without_an_axis_or_an_angle() {
+    bad_mesh("transform = { rotate = { degrees = 3 } }").says("`axis` is missing");
+    bad_mesh("transform = { rotate = { axis = [0, 1, 0] } }").says("`degrees` is missing");
+    bad_mesh("transform = { rotate = { axis = [0, 0, 0], degrees = 3 } }").says("length zero");
+}
+
+#[test]
+fn a_transform_out_of_range() {
+    let folder = Folder::new()
+        .with("m.obj", "v 0 0 0\nv 3e38 0 0\nv 0 1 0\nf 1 2 3\n")
+        .with(
+            "s.toml",
+            "[[mesh]]\nfile = \"m.obj\"\ntransform = { scale = 2 }\n",
+        );
+    refused(folder.load("s.toml"))
+        .at(3, "{ scale = 2 }")
+        .says("out of the range");
+}
+
+#[test]
+fn a_generators_parameter_out_of_range_stands_at_its_line() {
+    bad_toml("[[mesh]]\ngenerate = \"quads\"\ncount = 0\n")
+        .at(3, "0")
+        .says("count");
+    bad_toml("[[mesh]]\ngenerate = \"quads\"\nalpha = 2.0\n")
+        .at(3, "2.0")
+        .says("alpha");
+    bad_toml("[[mesh]]\ngenerate = \"soup\"\nseed = -1\n").at(3, "-1");
+}
+
+#[test]
+fn too_many_generated_triangles_in_one_mesh() {
+    bad_toml("[[mesh]]\ngenerate = \"soup\"\ncount = 20_000_001\n")
+        .at(3, "20_000_001")
+        .says("20000000");
+}
+
+#[test]
+fn too_many_generated_triangles_in_all() {
+    let one = "[[mesh]]\ngenerate = \"plane\"\ncells = 700\n";
+    // 2 x 700 x 700 and 2 x 3100 x 3100; either alone is fine.
+    let error = bad_toml(&format!(
+        "{one}[[mesh]]\ngenerate = \"plane\"\ncells = 3100\n"
+    ))
+    .at(5, "\"plane\"");
+    error.says("20200000 triangles");
+}
+
+#[test]
+fn the_message_as_a_whole_reads_well() {
+    let folder = Folder::new().with("s.toml", "[camera]\nfov = 200\n");
+    let error = folder.load("s.toml").expect_err("out of range").to_string();
+    let (place, rest) = error.split_once("s.toml").expect("the file's name");
+    assert!(!place.is_empty());
+    assert_eq!(
+        rest,
+        ":2: '200': `fov` is out of range\n  This must be an angle in degrees, more than 0 and less than 180."
+    );
+}
