@@ -1,0 +1,30 @@
+#version 430 core
+// Every fragment, into a list of which only the order of submission matters: the list itself is unordered.
+
+vec4 surface_color();    // surface/unlit.frag or surface/lit.frag
+
+layout(early_fragment_tests) in;
+uniform uint first_triangle;
+
+struct Captured {
+    uint x;
+    uint y;
+    float depth;
+    uint triangle;
+    vec4 color;
+};
+
+layout(std430, binding = 0) buffer Count {
+    uint count;
+};
+layout(std430, binding = 1) writeonly buffer List {
+    Captured list[];
+};
+
+void main() {
+    uint place = atomicAdd(count, 1u);
+    if (place < list.length()) {
+        uvec2 here = uvec2(gl_FragCoord.xy);
+        list[place] = Captured(here.x, here.y, gl_FragCoord.z, first_triangle + uint(gl_PrimitiveID), surface_color());
+    }
+}

@@ -1,0 +1,9 @@
+#version 430 core
+// One triangle that covers the viewport, from three vertices that need no buffer.
+
+invariant gl_Position;
+
+void main() {
+    vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1);
+    gl_Position = vec4(corner * 4.0 - 1.0, 0.0, 1.0);
+}

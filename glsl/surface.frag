@@ -1,0 +1,10 @@
+#version 430 core
+// A surface as it is: opaque geometry, and the methods that blend.
+
+vec4 surface_color();    // surface/unlit.frag or surface/lit.frag
+
+out vec4 color;
+
+void main() {
+    color = surface_color();
+}

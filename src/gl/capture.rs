@@ -1,0 +1,258 @@
+//! Every fragment of the transparent objects, read back: what the oracle sorts.
+//!
+//! The list is made with one atomic counter, in whatever order the fragments come; each record carries its pixel and
+//! its triangle's place in the order of submission, so that the order in which they came does not matter.
+//! Memory is sized from an exact count. Where a piece of the image has more fragments than one buffer may hold, the
+//! piece is halved.
+
+use bytemuck::{Pod, Zeroable};
+use glow::HasContext;
+
+use super::context::Context;
+use super::machine::GlMachine;
+use crate::error::{Error, Result};
+use crate::fragment::Rgba;
+use crate::steps::{Call, Capability, Compare, Machine, Map, Objects, Query, Shader, Target};
+
+/// A fragment and where it is.
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct CapturedFragment {
+    /// Column, from the left.
+    pub x: u32,
+    /// Row, from the bottom.
+    pub y: u32,
+    /// Window-space depth.
+    pub depth: f32,
+    /// Place of its triangle in the order of submission, over all meshes.
+    pub order: u32,
+    /// Straight alpha.
+    pub color: Rgba,
+}
+
+/// Captures every fragment of the transparent objects that lies before `opaque_depth`, in no particular order. At most
+/// `limit` fragments are held in GL's memory at a time.
+///
+/// # Errors
+/// If the driver has no room, or a single pixel has more fragments than the limit.
+pub fn capture(
+    machine: &mut GlMachine<'_>,
+    opaque_depth: Map,
+    limit: u32,
+) -> Result<Vec<CapturedFragment>> {
+    let context = machine.context();
+    let room = room(
+        context.driver().limit("GL_MAX_SHADER_STORAGE_BLOCK_SIZE"),
+        limit,
+    );
+    // A depth attachment also keeps clear of the trap that `Trap` describes.
+    machine.target(TARGET, None, Some(opaque_depth))?;
+    for call in BEFORE {
+        machine.perform(&call)?;
+    }
+    let mut fragments = Vec::new();
+    let [width, height] = machine.size();
+    let mut pieces = vec![Piece {
+        x: 0,
+        y: 0,
+        width,
+        height,
+    }];
+    while let Some(piece) = pieces.pop() {
+        piece.scissor(context.glow());
+        match count(machine)? {
+            0 => {}
+            count if count <= u64::from(room) => {
+                let list = List::new(context, count as u32)?;
+                machine.perform(&Call::UseProgram { program: CAPTURE })?;
+                machine.perform(&Call::Draw {
+                    objects: Objects::Transparent,
+                })?;
+                list.append_to(&mut fragments)?;
+            }
+            count => pieces.extend(piece.halves().ok_or_else(|| Error::Driver {
+                what: format!("the pixel {}, {} has {count} fragments", piece.x, piece.y),
+                remedy: format!("at most {room} fit into one buffer here; render a simpler scene"),
+            })?),
+        }
+    }
+    // SAFETY: the context is current.
+    unsafe { context.glow().disable(glow::SCISSOR_TEST) };
+    machine.perform(&Call::DepthMask { flag: true })?;
+    Ok(fragments)
+}
+
+const CAPTURE: Shader = Shader("capture");
+const SURFACE: Shader = Shader("surface");
+const CAPTURED: Query = Query("captured");
+const TARGET: Target = Target("capture");
+
+const BEFORE: [Call; 3] = [
+    Call::Enable {
+        cap: Capability::DepthTest,
+    },
+    Call::DepthFunc {
+        func: Compare::Less,
+    },
+    Call::DepthMask { flag: false },
+];
+
+/// How many fragments one buffer holds.
+fn room(largest_buffer: i64, limit: u32) -> u32 {
+    // glow addresses the inside of a buffer with 31 bits.
+    let bytes = largest_buffer.clamp(0, i64::from(i32::MAX)) as usize;
+    u32::try_from(bytes / size_of::<CapturedFragment>())
+        .unwrap_or(u32::MAX)
+        .min(limit)
+        .max(1)
+}
+
+/// How many fragments the current piece has.
+fn count(machine: &mut GlMachine<'_>) -> Result<u64> {
+    machine.perform(&Call::UseProgram { program: SURFACE })?;
+    machine.perform(&Call::BeginQuery { query: CAPTURED })?;
+    machine.perform(&Call::Draw {
+        objects: Objects::Transparent,
+    })?;
+    machine.perform(&Call::EndQuery { query: CAPTURED })?;
+    machine.samples(CAPTURED)
+}
+
+/// A rectangle of the image.
+#[derive(Clone, Copy)]
+struct Piece {
+    x: u32,
+    y: u32,
+    width: u32,
+    height: u32,
+}
+
+impl Piece {
+    fn scissor(self, gl: &glow::Context) {
+        // SAFETY: the context is current.
+        unsafe {
+            gl.enable(glow::SCISSOR_TEST);
+            gl.scissor(
+                self.x as i32,
+                self.y as i32,
+                self.width as i32,
+                self.height as i32,
+            );
+        }
+    }
+
+    /// Two pieces, cut across the longer side; none of a single pixel.
+    fn halves(self) -> Option<[Self; 2]> {
+        let Self {
+            x,
+            y,
+            width,
+            height,
+        } = self;
+        if height >= width && height > 1 {
+            let lower = height / 2;
+            Some([
+                Self {
+                    height: lower,
+                    ..self
+                },
+                Self {
+                    y: y + lower,
+                    height: height - lower,
+                    ..self
+                },
+            ])
+        } else if width > 1 {
+            let left = width / 2;
+            Some([
+                Self {
+                    width: left,
+                    ..self
+                },
+                Self {
+                    x: x + left,
+                    width: width - left,
+                    ..self
+                },
+            ])
+        } else {
+            None
+        }
+    }
+}
+
+/// The counter and the list of `capture.frag`, bound.
+struct List<'c> {
+    context: &'c Context,
+    counter: glow::Buffer,
+    list: glow::Buffer,
+    expected: u32,
+}
+
+impl<'c> List<'c> {
+    fn new(context: &'c Context, expected: u32) -> Result<Self> {
+        let gl = context.glow();
+        let out = |what: String| Error::Driver {
+            what,
+            remedy: "the driver is out of memory or lost".into(),
+        };
+        let bytes = expected as i32 * size_of::<CapturedFragment>() as i32;
+        // SAFETY: the context is current; both buffers get their storage before they are used, and the list's size is
+        // within `room`.
+        unsafe {
+            let counter = gl.create_buffer().map_err(out)?;
+            gl.bind_buffer_base(glow::SHADER_STORAGE_BUFFER, 0, Some(counter));
+            gl.buffer_data_u8_slice(glow::SHADER_STORAGE_BUFFER, &[0; 4], glow::DYNAMIC_READ);
+            let list = gl.create_buffer().map_err(out)?;
+            gl.bind_buffer_base(glow::SHADER_STORAGE_BUFFER, 1, Some(list));
+            gl.buffer_data_size(glow::SHADER_STORAGE_BUFFER, bytes, glow::DYNAMIC_READ);
+            Ok(Self {
+                context,
+                counter,
+                list,
+                expected,
+            })
+        }
+    }
+
+    fn append_to(&self, fragments: &mut Vec<CapturedFragment>) -> Result<()> {
+        let gl = self.context.glow();
+        let mut counted = 0_u32;
+        let start = fragments.len();
+        fragments.resize(start + self.expected as usize, CapturedFragment::zeroed());
+        // SAFETY: the shader's writes are waited for, and both reads stay within their buffers.
+        unsafe {
+            gl.memory_barrier(glow::BUFFER_UPDATE_BARRIER_BIT);
+            gl.bind_buffer(glow::SHADER_STORAGE_BUFFER, Some(self.counter));
+            gl.get_buffer_sub_data(
+                glow::SHADER_STORAGE_BUFFER,
+                0,
+                bytemuck::bytes_of_mut(&mut counted),
+            );
+            gl.bind_buffer(glow::SHADER_STORAGE_BUFFER, Some(self.list));
+            let list = bytemuck::cast_slice_mut(&mut fragments[start..]);
+            gl.get_buffer_sub_data(glow::SHADER_STORAGE_BUFFER, 0, list);
+        }
+        if counted == self.expected {
+            return Ok(());
+        }
+        Err(Error::Driver {
+            what: format!(
+                "the driver drew {} fragments, but its atomic counter says {counted}",
+                self.expected
+            ),
+            remedy: "`onionskin doctor` says whether this driver loses atomics".into(),
+        })
+    }
+}
+
+impl Drop for List<'_> {
+    fn drop(&mut self) {
+        let gl = self.context.glow();
+        // SAFETY: the buffers are its own.
+        unsafe {
+            gl.delete_buffer(self.counter);
+            gl.delete_buffer(self.list);
+        }
+    }
+}

@@ -1,0 +1,148 @@
+//! OSMesa: Mesa into a piece of main memory, with no window system and no EGL at all.
+
+use std::ffi::{CString, c_int, c_uchar, c_uint, c_void};
+
+use libloading::Library;
+
+use super::{Attempt, Current, Profile, with_reasons};
+
+const LIBRARIES: [&str; 3] = ["libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"];
+
+const OSMESA_FORMAT: c_int = 0x22;
+const OSMESA_RGBA: c_int = 0x1908;
+const OSMESA_PROFILE: c_int = 0x33;
+const OSMESA_CORE_PROFILE: c_int = 0x34;
+const OSMESA_COMPAT_PROFILE: c_int = 0x35;
+const OSMESA_CONTEXT_MAJOR_VERSION: c_int = 0x36;
+const OSMESA_CONTEXT_MINOR_VERSION: c_int = 0x37;
+const GL_UNSIGNED_BYTE: c_uint = 0x1401;
+
+/// As for EGL: the last one is for the error's sake.
+const VERSIONS: [(c_int, c_int); 3] = [(4, 5), (4, 3), (3, 1)];
+
+/// OSMesa wants a colour buffer of its own. Everything is drawn into framebuffer objects, so the least will do.
+const SIDE: c_int = 16;
+
+type CreateContextAttribs = unsafe extern "C" fn(*const c_int, *mut c_void) -> *mut c_void;
+type MakeCurrent = unsafe extern "C" fn(*mut c_void, *mut c_void, c_uint, c_int, c_int) -> c_uchar;
+type GetProcAddress = unsafe extern "C" fn(*const std::ffi::c_char) -> *const c_void;
+type DestroyContext = unsafe extern "C" fn(*mut c_void);
+
+struct OsMesaContext {
+    context: *mut c_void,
+    get_proc_address: GetProcAddress,
+    destroy: DestroyContext,
+    // What OSMesa would draw into; it keeps the address.
+    _buffer: Vec<u8>,
+}
+
+/// Opens a context.
+pub(super) fn open(profile: Profile) -> Result<Box<dyn Current>, Attempt> {
+    let attempt = |what: &str, answer: String| Attempt {
+        what: format!("osmesa, {what}"),
+        answer,
+    };
+    let library = load().map_err(|answer| attempt("loading libOSMesa.so.8", answer))?;
+    let missing = |e: libloading::Error| attempt("looking up its functions", with_reasons(&e));
+    // SAFETY: Mesa's osmesa.h gives these functions these signatures.
+    let create: CreateContextAttribs = unsafe {
+        *library
+            .get(b"OSMesaCreateContextAttribs\0")
+            .map_err(missing)?
+    };
+    // SAFETY: as above.
+    let make_current: MakeCurrent =
+        unsafe { *library.get(b"OSMesaMakeCurrent\0").map_err(missing)? };
+    // SAFETY: as above.
+    let get_proc_address: GetProcAddress =
+        unsafe { *library.get(b"OSMesaGetProcAddress\0").map_err(missing)? };
+    // SAFETY: as above.
+    let destroy: DestroyContext =
+        unsafe { *library.get(b"OSMesaDestroyContext\0").map_err(missing)? };
+    // Mesa keeps thread-local state and worker threads, which do not survive an unloading: the library stays.
+    std::mem::forget(library);
+
+    let profile = match profile {
+        Profile::Core => OSMESA_CORE_PROFILE,
+        Profile::Compatibility => OSMESA_COMPAT_PROFILE,
+    };
+    let context = VERSIONS
+        .iter()
+        .map(|&(major, minor)| {
+            let attributes = [
+                OSMESA_FORMAT,
+                OSMESA_RGBA,
+                OSMESA_PROFILE,
+                profile,
+                OSMESA_CONTEXT_MAJOR_VERSION,
+                major,
+                OSMESA_CONTEXT_MINOR_VERSION,
+                minor,
+                0,
+            ];
+            // SAFETY: the list is terminated by 0, and no context is shared.
+            unsafe { create(attributes.as_ptr(), std::ptr::null_mut()) }
+        })
+        .find(|context| !context.is_null())
+        .ok_or_else(|| {
+            attempt(
+                "OSMesaCreateContextAttribs",
+                "it made no context, not even OpenGL 3.1".into(),
+            )
+        })?;
+
+    let mut buffer = vec![0; (SIDE * SIDE * 4) as usize];
+    // SAFETY: the context was just created, and the buffer holds SIDE x SIDE RGBA bytes and lives as long as it.
+    let made = unsafe {
+        make_current(
+            context,
+            buffer.as_mut_ptr().cast(),
+            GL_UNSIGNED_BYTE,
+            SIDE,
+            SIDE,
+        )
+    };
+    let current = OsMesaContext {
+        context,
+        get_proc_address,
+        destroy,
+        _buffer: buffer,
+    };
+    if made == 0 {
+        return Err(attempt(
+            "OSMesaMakeCurrent",
+            "it refused its own context".into(),
+        ));
+    }
+    Ok(Box::new(current))
+}
+
+fn load() -> Result<Library, String> {
+    let mut answer = String::new();
+    for name in LIBRARIES {
+        // SAFETY: a library of that name is Mesa's; loading it runs its initialisers and nothing else.
+        match unsafe { Library::new(name) } {
+            Ok(library) => return Ok(library),
+            Err(e) if answer.is_empty() => answer = with_reasons(&e),
+            Err(_) => {}
+        }
+    }
+    Err(answer)
+}
+
+impl Current for OsMesaContext {
+    fn function(&self, name: &str) -> *const c_void {
+        let Ok(name) = CString::new(name) else {
+            return std::ptr::null();
+        };
+        // SAFETY: the name is a C string.
+        unsafe { (self.get_proc_address)(name.as_ptr()) }
+    }
+}
+
+impl Drop for OsMesaContext {
+    fn drop(&mut self) {
+        // SAFETY: the context is ours, and nobody uses it after this.
+        unsafe { (self.destroy)(self.context) };
+    }
+}

@@ -1,0 +1,129 @@
+//! What the driver is, what it can do, and which traps it has.
+
+use std::collections::BTreeSet;
+
+use glow::HasContext;
+
+/// What a driver says of itself.
+#[derive(Clone, Debug)]
+pub struct Driver {
+    /// `GL_RENDERER`.
+    pub renderer: String,
+    /// `GL_VERSION`, whole.
+    pub version_text: String,
+    /// Major and minor.
+    pub version: (u32, u32),
+    /// OpenGL ES rather than OpenGL.
+    pub embedded: bool,
+    /// Every extension it names.
+    pub extensions: BTreeSet<String>,
+    /// Limits by GL's names.
+    pub limits: Vec<(&'static str, i64)>,
+}
+
+/// A way in which a driver is known to go wrong.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
+pub struct Trap {
+    /// What happens.
+    pub what: &'static str,
+    /// How onionskin gets around it.
+    pub avoided: &'static str,
+}
+
+/// Atomics of a fragment shader that are lost: see [`crate::gl::GlMachine::traps`].
+pub(super) const LOST_ATOMICS: Trap = Trap {
+    what: "a fragment shader's buffer writes and atomics are lost when a later opaque triangle covers a whole tile \
+           and the framebuffer has no depth attachment (Mesa 22.3 llvmpipe)",
+    avoided: "every framebuffer whose fragments write buffers has a depth attachment",
+};
+
+/// Extensions that some method or check wants, and for what. None of them is needed to render.
+pub const WANTED_EXTENSIONS: [(&str, &str); 4] = [
+    ("GL_KHR_debug", "steps named in debuggers"),
+    (
+        "GL_EXT_shader_framebuffer_fetch",
+        "ordered fragments without atomics",
+    ),
+    (
+        "GL_ARM_shader_framebuffer_fetch_depth_stencil",
+        "the same for depth and stencil",
+    ),
+    ("GL_ARB_fragment_shader_interlock", "the same with images"),
+];
+
+const LIMITS: [(&str, u32); 8] = [
+    ("GL_MAX_TEXTURE_SIZE", glow::MAX_TEXTURE_SIZE),
+    ("GL_MAX_RENDERBUFFER_SIZE", glow::MAX_RENDERBUFFER_SIZE),
+    (
+        "GL_MAX_ARRAY_TEXTURE_LAYERS",
+        glow::MAX_ARRAY_TEXTURE_LAYERS,
+    ),
+    ("GL_MAX_DRAW_BUFFERS", glow::MAX_DRAW_BUFFERS),
+    (
+        "GL_MAX_SHADER_STORAGE_BLOCK_SIZE",
+        glow::MAX_SHADER_STORAGE_BLOCK_SIZE,
+    ),
+    (
+        "GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS",
+        glow::MAX_FRAGMENT_SHADER_STORAGE_BLOCKS,
+    ),
+    (
+        "GL_MAX_FRAGMENT_IMAGE_UNIFORMS",
+        glow::MAX_FRAGMENT_IMAGE_UNIFORMS,
+    ),
+    (
+        "GL_MAX_COMPUTE_WORK_GROUP_INVOCATIONS",
+        glow::MAX_COMPUTE_WORK_GROUP_INVOCATIONS,
+    ),
+];
+
+impl Driver {
+    /// Asks the current context.
+    pub(super) fn read(gl: &glow::Context) -> Self {
+        let version = gl.version();
+        // SAFETY: the caller's context is current, and both names are strings in every version of GL.
+        let (renderer, version_text) = unsafe {
+            (
+                gl.get_parameter_string(glow::RENDERER),
+                gl.get_parameter_string(glow::VERSION),
+            )
+        };
+        let number = (version.major, version.minor);
+        // Before 4.3 most of the limits do not exist, and the context will be refused anyway.
+        let limits = if number < (4, 3) || version.is_embedded {
+            Vec::new()
+        } else {
+            // SAFETY: each is an integer from OpenGL 4.3 on.
+            LIMITS
+                .iter()
+                .map(|&(name, limit)| (name, unsafe { gl.get_parameter_i64(limit) }))
+                .collect()
+        };
+        Self {
+            renderer,
+            version_text,
+            version: number,
+            embedded: version.is_embedded,
+            extensions: gl.supported_extensions().iter().cloned().collect(),
+            limits,
+        }
+    }
+
+    /// A limit by GL's name; 0 if it is not one of those that are asked.
+    pub fn limit(&self, name: &str) -> i64 {
+        self.limits
+            .iter()
+            .find(|(n, _)| *n == name)
+            .map_or(0, |(_, value)| *value)
+    }
+
+    /// The largest width and height of an image.
+    pub fn largest_image(&self) -> u32 {
+        u32::try_from(self.limit("GL_MAX_TEXTURE_SIZE")).unwrap_or(0)
+    }
+
+    /// Whether the driver names an extension.
+    pub fn has(&self, extension: &str) -> bool {
+        self.extensions.contains(extension)
+    }
+}

@@ -1,0 +1,329 @@
+//! A scene's meshes in the driver's memory.
+
+use glam::{DMat4, DVec2, Mat4, Vec3};
+use glow::HasContext;
+
+use super::context::Context;
+use super::program::Program;
+use crate::error::{Error, Result};
+use crate::scene::{Mesh, Scene, Shading, Vertex};
+use crate::steps::Objects;
+
+/// A scene, uploaded. Its buffers live as long as it does.
+pub struct Geometry<'c> {
+    context: &'c Context,
+    meshes: Vec<Uploaded>,
+    draws: Vec<Run>,
+    /// World to clip space.
+    view_projection: Mat4,
+    eye: Vec3,
+    /// Where transparent surfaces may be: columns and rows from the lower left, x, y, width, height.
+    window: [i32; 4],
+}
+
+/// Triangles of one mesh that are drawn in one go: `count` indices from `first`.
+struct Run {
+    mesh: usize,
+    first: i32,
+    count: i32,
+}
+
+/// A large mesh is drawn in pieces of so many indices with a flush after each, so that a driver whose vertex stage and
+/// rasteriser run side by side, as llvmpipe's do, has something to rasterise while it transforms the next piece.
+const PIECE: i32 = 3 * 25_000;
+
+impl Run {
+    fn pieces(&self) -> impl Iterator<Item = Self> + use<> {
+        let (mesh, first, end) = (self.mesh, self.first, self.first + self.count);
+        let starts = (first..end).step_by(PIECE as usize);
+        starts.map(move |first| Self {
+            mesh,
+            first,
+            count: PIECE.min(end - first),
+        })
+    }
+}
+
+/// One mesh and what its draw calls need.
+struct Uploaded {
+    vertices: glow::Buffer,
+    indices: glow::Buffer,
+    array: glow::VertexArray,
+    opaque: bool,
+    shading: Shading,
+    inside: [f32; 3],
+    /// Triangles of the meshes before this one.
+    first_triangle: u32,
+}
+
+impl<'c> Geometry<'c> {
+    /// Uploads the scene's meshes, to be drawn in the order of submission.
+    ///
+    /// # Errors
+    /// If the driver has no room, or a mesh is larger than a draw call.
+    pub fn upload(context: &'c Context, scene: &Scene, size: [u32; 2]) -> Result<Self> {
+        let mut geometry = Self::empty(context, scene, size);
+        let mut first_triangle = 0;
+        for (number, mesh) in scene.meshes.iter().enumerate() {
+            geometry.meshes.push(Uploaded::new(
+                context.glow(),
+                mesh,
+                &mesh.triangles,
+                first_triangle,
+            )?);
+            // `Uploaded::new` has checked that the count fits.
+            geometry.draws.push(Run {
+                mesh: number,
+                first: 0,
+                count: mesh.triangles.len() as i32 * 3,
+            });
+            first_triangle += mesh.triangles.len() as u32;
+        }
+        Ok(geometry)
+    }
+
+    /// Uploads the scene's meshes, to be drawn in another order: each triangle as mesh and number.
+    ///
+    /// # Errors
+    /// As [`Geometry::upload`].
+    pub fn upload_in_order(
+        context: &'c Context,
+        scene: &Scene,
+        size: [u32; 2],
+        order: &[[u32; 2]],
+    ) -> Result<Self> {
+        let mut geometry = Self::empty(context, scene, size);
+        let mut triangles: Vec<Vec<[u32; 3]>> = vec![Vec::new(); scene.meshes.len()];
+        for &[mesh, triangle] in order {
+            let mesh = mesh as usize;
+            let of_mesh = &mut triangles[mesh];
+            match geometry.draws.last_mut() {
+                Some(run) if run.mesh == mesh => run.count += 3,
+                _ => geometry.draws.push(Run {
+                    mesh,
+                    first: of_mesh.len() as i32 * 3,
+                    count: 3,
+                }),
+            }
+            of_mesh.push(scene.meshes[mesh].triangles[triangle as usize]);
+        }
+        for (mesh, triangles) in scene.meshes.iter().zip(&triangles) {
+            geometry
+                .meshes
+                .push(Uploaded::new(context.glow(), mesh, triangles, 0)?);
+        }
+        Ok(geometry)
+    }
+
+    fn empty(context: &'c Context, scene: &Scene, size: [u32; 2]) -> Self {
+        let camera = &scene.camera;
+        let view_projection: DMat4 = camera.projection(size[0], size[1]) * camera.view();
+        Self {
+            context,
+            meshes: Vec::with_capacity(scene.meshes.len()),
+            draws: Vec::new(),
+            view_projection: view_projection.as_mat4(),
+            eye: camera.eye.as_vec3(),
+            window: window_of_transparent(scene, view_projection, size),
+        }
+    }
+
+    /// The part of the image outside of which no transparent surface is.
+    pub(super) fn window(&self) -> [i32; 4] {
+        self.window
+    }
+
+    /// Draws with the program for unlit surfaces and the one for lit ones, changing between them as the meshes ask.
+    pub(super) fn draw(&self, unlit: &Program, lit: &Program, objects: Objects) {
+        let gl = self.context.glow();
+        let view_projection = self.view_projection.to_cols_array();
+        let mut current = None;
+        for run in &self.draws {
+            let mesh = &self.meshes[run.mesh];
+            if !mesh.is_among(objects) {
+                continue;
+            }
+            let is_lit = mesh.shading != Shading::None;
+            let program = if is_lit { lit } else { unlit };
+            // SAFETY: the context is current; every index is below the number of vertices, which `Uploaded::new`
+            // checked; the locations are this program's, and GL ignores a uniform that a program does not have.
+            unsafe {
+                if current != Some(is_lit) {
+                    current = Some(is_lit);
+                    gl.use_program(Some(program.raw));
+                    gl.uniform_matrix_4_f32_slice(
+                        program.view_projection.as_ref(),
+                        false,
+                        &view_projection,
+                    );
+                    gl.uniform_3_f32(program.eye.as_ref(), self.eye.x, self.eye.y, self.eye.z);
+                }
+                gl.uniform_1_i32(
+                    program.two_sided.as_ref(),
+                    i32::from(mesh.shading == Shading::TwoSided),
+                );
+                gl.uniform_3_f32_slice(program.inside.as_ref(), &mesh.inside);
+                gl.bind_vertex_array(Some(mesh.array));
+                for piece in run.pieces() {
+                    // gl_PrimitiveID starts at 0 in every draw.
+                    let first_triangle = mesh.first_triangle + piece.first as u32 / 3;
+                    gl.uniform_1_u32(program.first_triangle.as_ref(), first_triangle);
+                    gl.draw_elements(
+                        glow::TRIANGLES,
+                        piece.count,
+                        glow::UNSIGNED_INT,
+                        piece.first * 4,
+                    );
+                    if piece.count == PIECE {
+                        gl.flush();
+                    }
+                }
+            }
+        }
+    }
+}
+
+impl Uploaded {
+    fn new(
+        gl: &glow::Context,
+        mesh: &Mesh,
+        triangles: &[[u32; 3]],
+        first_triangle: u32,
+    ) -> Result<Self> {
+        if let Some(index) = mesh
+            .triangles
+            .iter()
+            .flatten()
+            .find(|&&index| index as usize >= mesh.vertices.len())
+        {
+            let what = format!(
+                "mesh '{}' uses vertex {index} of {}",
+                mesh.name,
+                mesh.vertices.len()
+            );
+            return Err(Error::usage(
+                what,
+                "every index of a triangle must be below the number of vertices",
+            ));
+        }
+        // Offsets into the index buffer are 31 bits wide.
+        if i32::try_from(triangles.len().saturating_mul(12)).is_err() {
+            let what = format!(
+                "mesh '{}' has {} triangles, more than one draw call takes",
+                mesh.name,
+                triangles.len()
+            );
+            return Err(Error::usage(
+                what,
+                "split it into meshes of at most 178 million triangles",
+            ));
+        }
+        let out = |what: String| Error::Driver {
+            what,
+            remedy: "the driver is out of memory or lost".into(),
+        };
+        let stride = size_of::<Vertex>() as i32;
+        // SAFETY: the context is current; the slices are read before the calls return; the three attributes lie within
+        // the stride, as Vertex is laid out in C's way.
+        unsafe {
+            let array = gl.create_vertex_array().map_err(out)?;
+            gl.bind_vertex_array(Some(array));
+            let vertices = gl.create_buffer().map_err(out)?;
+            gl.bind_buffer(glow::ARRAY_BUFFER, Some(vertices));
+            gl.buffer_data_u8_slice(
+                glow::ARRAY_BUFFER,
+                bytemuck::cast_slice(&mesh.vertices),
+                glow::STATIC_DRAW,
+            );
+            let indices = gl.create_buffer().map_err(out)?;
+            gl.bind_buffer(glow::ELEMENT_ARRAY_BUFFER, Some(indices));
+            gl.buffer_data_u8_slice(
+                glow::ELEMENT_ARRAY_BUFFER,
+                bytemuck::cast_slice(triangles),
+                glow::STATIC_DRAW,
+            );
+            for (attribute, components, offset) in [(0, 3, 0), (1, 3, 12), (2, 4, 24)] {
+                gl.enable_vertex_attrib_array(attribute);
+                gl.vertex_attrib_pointer_f32(
+                    attribute,
+                    components,
+                    glow::FLOAT,
+                    false,
+                    stride,
+                    offset,
+                );
+            }
+            gl.bind_vertex_array(None);
+            Ok(Self {
+                vertices,
+                indices,
+                array,
+                opaque: mesh.opaque,
+                shading: mesh.shading,
+                inside: mesh.inside,
+                first_triangle,
+            })
+        }
+    }
+
+    fn is_among(&self, objects: Objects) -> bool {
+        match objects {
+            Objects::Scene => true,
+            Objects::Opaque => self.opaque,
+            Objects::Transparent => !self.opaque,
+            Objects::Screen => false,
+        }
+    }
+}
+
+/// A rectangle that holds every transparent vertex, two pixels wider than computed, which is more than f32 can be off.
+/// The whole image if a vertex lies behind the eye.
+fn window_of_transparent(
+    scene: &Scene,
+    view_projection: DMat4,
+    [width, height]: [u32; 2],
+) -> [i32; 4] {
+    let size = DVec2::new(f64::from(width), f64::from(height));
+    let (mut low, mut high) = (size, DVec2::ZERO);
+    for vertex in scene
+        .meshes
+        .iter()
+        .filter(|mesh| !mesh.opaque)
+        .flat_map(|mesh| &mesh.vertices)
+    {
+        let clip = view_projection * vertex.position.as_dvec3().extend(1.0);
+        if clip.w <= 0.0 {
+            return [0, 0, width as i32, height as i32];
+        }
+        let window = (clip.truncate().truncate() / clip.w * 0.5 + 0.5) * size;
+        (low, high) = (low.min(window), high.max(window));
+    }
+    let low = (low.floor() - 2.0).clamp(DVec2::ZERO, size);
+    let high = (high.ceil() + 2.0).clamp(low, size);
+    [
+        low.x as i32,
+        low.y as i32,
+        (high.x - low.x) as i32,
+        (high.y - low.y) as i32,
+    ]
+}
+
+impl Drop for Geometry<'_> {
+    fn drop(&mut self) {
+        let gl = self.context.glow();
+        for mesh in &self.meshes {
+            // SAFETY: the objects are this mesh's own, and the context outlives the borrow.
+            unsafe {
+                gl.delete_vertex_array(mesh.array);
+                gl.delete_buffer(mesh.vertices);
+                gl.delete_buffer(mesh.indices);
+            }
+        }
+    }
+}
+
+impl std::fmt::Debug for Geometry<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "Geometry({} meshes)", self.meshes.len())
+    }
+}

@@ -1,0 +1,213 @@
+//! The shaders' sources, and the one thing added to GLSL: `#include "common/NAME"`.
+//!
+//! An include is replaced by the file, between `#line` directives that give every file a number of its own; the driver
+//! puts that number before each message, and [`Source::explain`] puts the file's name in its place.
+
+use crate::error::{Error, Result};
+
+/// The files of `glsl/`, embedded.
+const FILES: &[(&str, &str)] = &[
+    ("capture.frag", include_str!("../../glsl/capture.frag")),
+    (
+        "common/layer.glsl",
+        include_str!("../../glsl/common/layer.glsl"),
+    ),
+    ("geometry.vert", include_str!("../../glsl/geometry.vert")),
+    ("layer.frag", include_str!("../../glsl/layer.frag")),
+    ("over.frag", include_str!("../../glsl/over.frag")),
+    ("peel.frag", include_str!("../../glsl/peel.frag")),
+    ("screen.vert", include_str!("../../glsl/screen.vert")),
+    ("surface.frag", include_str!("../../glsl/surface.frag")),
+    (
+        "surface/lit.frag",
+        include_str!("../../glsl/surface/lit.frag"),
+    ),
+    (
+        "surface/unlit.frag",
+        include_str!("../../glsl/surface/unlit.frag"),
+    ),
+    ("trap.frag", include_str!("../../glsl/trap.frag")),
+    ("under.frag", include_str!("../../glsl/under.frag")),
+];
+
+/// A shader, its includes in place.
+#[derive(Debug)]
+pub(super) struct Source {
+    /// What the driver gets.
+    pub(super) text: String,
+    /// File number by file number, the names.
+    files: Vec<String>,
+}
+
+impl Source {
+    /// A file of `glsl/` by its name.
+    pub(super) fn load(name: &str) -> Result<Self> {
+        Self::resolve(name, &|file| {
+            FILES
+                .iter()
+                .find(|(n, _)| *n == file)
+                .map(|(_, text)| *text)
+        })
+    }
+
+    fn resolve<'a>(name: &str, find: &dyn Fn(&str) -> Option<&'a str>) -> Result<Self> {
+        let mut source = Self {
+            text: String::new(),
+            files: Vec::new(),
+        };
+        source.append(name, find, &mut Vec::new())?;
+        Ok(source)
+    }
+
+    fn append<'a>(
+        &mut self,
+        name: &str,
+        find: &dyn Fn(&str) -> Option<&'a str>,
+        open: &mut Vec<String>,
+    ) -> Result<()> {
+        let wrong = |what: String| Error::Shader {
+            file: open.last().map_or(name, |f| f).to_owned(),
+            log: what,
+        };
+        if open.iter().any(|file| file == name) {
+            return Err(wrong(format!(
+                "the include of {name} is cyclic: {} -> {name}",
+                open.join(" -> ")
+            )));
+        }
+        let text = find(name).ok_or_else(|| wrong(format!("there is no file {name} in glsl/")))?;
+        let number = self.files.len();
+        self.files.push(name.to_owned());
+        open.push(name.to_owned());
+        if number > 0 {
+            self.text += &format!("#line 1 {number}\n");
+        }
+        for (index, line) in text.lines().enumerate() {
+            match included(line) {
+                Some(file) => {
+                    self.append(file, find, open)?;
+                    self.text += &format!("#line {} {number}\n", index + 2);
+                }
+                None => {
+                    self.text += line;
+                    self.text.push('\n');
+                }
+            }
+        }
+        open.pop();
+        Ok(())
+    }
+
+    /// A driver's log with the files' names in place of their numbers: Mesa writes `0:12(3): error`, NVIDIA
+    /// `0(12) : error`.
+    pub(super) fn explain(&self, log: &str) -> String {
+        let explained = log.trim_end_matches(['\0', '\n', ' ']).lines().map(|line| {
+            let digits = line.len() - line.trim_start_matches(|c: char| c.is_ascii_digit()).len();
+            let (number, rest) = line.split_at(digits);
+            match number
+                .parse::<usize>()
+                .ok()
+                .and_then(|number| self.files.get(number))
+            {
+                Some(file) if rest.starts_with([':', '(']) => format!("glsl/{file}{rest}"),
+                _ => line.to_owned(),
+            }
+        });
+        explained.collect::<Vec<_>>().join("\n")
+    }
+}
+
+/// The file that a line includes.
+fn included(line: &str) -> Option<&str> {
+    line.trim()
+        .strip_prefix("#include")?
+        .trim()
+        .strip_prefix('"')?
+        .strip_suffix('"')
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn resolve(name: &str, files: &[(&'static str, &'static str)]) -> Result<Source> {
+        Source::resolve(name, &|file| {
+            files
+                .iter()
+                .find(|(n, _)| *n == file)
+                .map(|(_, text)| *text)
+        })
+    }
+
+    #[test]
+    fn an_include_is_replaced_by_the_file_between_line_directives() {
+        let files = [
+            ("a", "#version 430 core\n#include \"b\"\nend"),
+            ("b", "middle"),
+        ];
+        let text = resolve("a", &files).unwrap().text;
+        assert_eq!(
+            text,
+            "#version 430 core\n#line 1 1\nmiddle\n#line 3 0\nend\n"
+        );
+    }
+
+    #[test]
+    fn a_log_names_the_file_instead_of_its_number() {
+        let files = [("a", "#include \"b\""), ("b", "middle")];
+        let source = resolve("a", &files).unwrap();
+        assert_eq!(
+            source.explain("1:7(3): error: no"),
+            "glsl/b:7(3): error: no"
+        );
+        assert_eq!(
+            source.explain("1(7) : error C0000: no"),
+            "glsl/b(7) : error C0000: no"
+        );
+        assert_eq!(source.explain("2 errors"), "2 errors");
+    }
+
+    #[test]
+    fn an_unknown_include_is_an_error_that_names_both_files() {
+        let error = resolve("a", &[("a", "#include \"b\"")])
+            .unwrap_err()
+            .to_string();
+        assert!(
+            error.contains("glsl/a") && error.contains("no file b"),
+            "{error}"
+        );
+    }
+
+    #[test]
+    fn a_cyclic_include_is_an_error_that_shows_the_cycle() {
+        let files = [("a", "#include \"b\""), ("b", "#include \"a\"")];
+        let error = resolve("a", &files).unwrap_err().to_string();
+        assert!(error.contains("a -> b -> a"), "{error}");
+    }
+
+    #[test]
+    fn every_file_of_the_folder_is_embedded() {
+        let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("glsl");
+        let mut found = Vec::new();
+        for place in ["", "common/", "surface/"] {
+            for entry in std::fs::read_dir(folder.join(place)).unwrap() {
+                let entry = entry.unwrap();
+                if entry.file_type().unwrap().is_file() {
+                    found.push(format!("{place}{}", entry.file_name().to_str().unwrap()));
+                }
+            }
+        }
+        found.sort();
+        let mut embedded: Vec<_> = FILES.iter().map(|(name, _)| (*name).to_owned()).collect();
+        embedded.sort();
+        assert_eq!(found, embedded);
+    }
+
+    #[test]
+    fn every_vertex_shader_marks_its_position_invariant() {
+        for (name, text) in FILES.iter().filter(|(name, _)| name.ends_with(".vert")) {
+            assert!(text.contains("invariant gl_Position;"), "{name}");
+            assert!(text.starts_with("#version"), "{name}");
+        }
+    }
+}

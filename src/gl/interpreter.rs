@@ -1,0 +1,282 @@
+//! The interpreter: every call of a listing becomes a call of GL. The one place where that happens.
+
+use std::collections::hash_map::Entry;
+
+use glow::HasContext;
+
+use super::constants::{blend_factor, capability, clear_bits, compare, error_name, stencil_op};
+use super::geometry::Geometry;
+use super::machine::GlMachine;
+use super::program::Linked;
+use crate::error::{Error, Result};
+use crate::steps::{Call, Machine, Map, Objects, Query, Shader};
+
+impl Machine for GlMachine<'_> {
+    /// In debug builds the step's text names a debug group around it, and OpenGL's errors are asked for after it.
+    fn perform(&mut self, call: &Call) -> Result<()> {
+        if !cfg!(debug_assertions) {
+            return self.execute(call);
+        }
+        let gl = self.context.glow();
+        let step = call.to_string();
+        // SAFETY: the context is current; the group that is pushed is popped.
+        unsafe { gl.push_debug_group(glow::DEBUG_SOURCE_APPLICATION, 0, &step) };
+        let done = self.execute(call);
+        // SAFETY: as above.
+        let error = unsafe {
+            gl.pop_debug_group();
+            gl.get_error()
+        };
+        done?;
+        match error {
+            glow::NO_ERROR => Ok(()),
+            error => Err(Error::Step {
+                step,
+                error: error_name(error).into(),
+            }),
+        }
+    }
+
+    fn samples(&mut self, query: Query) -> Result<u64> {
+        let raw = self.queries.get(&query).copied().ok_or_else(|| {
+            let what = format!("the listing asks the query '{}' before it is made", query.0);
+            Error::usage(what, "glBeginQuery and glEndQuery come first")
+        })?;
+        // SAFETY: the query has begun and ended.
+        Ok(unsafe {
+            self.context
+                .glow()
+                .get_query_parameter_u64(raw, glow::QUERY_RESULT)
+        })
+    }
+}
+
+impl GlMachine<'_> {
+    fn use_program(&mut self, shader: Shader) -> Result<()> {
+        let gl = self.context.glow();
+        if let Entry::Vacant(place) = self.programs.entry(shader) {
+            place.insert(Linked::new(gl, shader)?);
+        }
+        if let Linked::Screen(program) = &self.programs[&shader] {
+            // SAFETY: the program is linked.
+            unsafe { gl.use_program(Some(program.raw)) };
+        }
+        self.current = Some(shader);
+        Ok(())
+    }
+
+    fn query(&mut self, query: Query) -> Result<glow::Query> {
+        if let Some(query) = self.queries.get(&query) {
+            return Ok(*query);
+        }
+        // SAFETY: the context is current.
+        let made = unsafe { self.context.glow().create_query() };
+        let made = made.map_err(|what| Error::Driver {
+            what,
+            remedy: "the driver is lost".into(),
+        })?;
+        self.queries.insert(query, made);
+        Ok(made)
+    }
+
+    fn copy(&mut self, from: Map, to: Map) -> Result<()> {
+        let source = self.texture(from)?;
+        self.allocate(to, source.format)?;
+        let destination = self.texture(to)?;
+        let [width, height] = self.size.map(|side| side as i32);
+        // SAFETY: both textures are the machine's, of one size and one format.
+        unsafe {
+            self.context.glow().copy_image_sub_data(
+                source.raw,
+                glow::TEXTURE_2D,
+                0,
+                0,
+                0,
+                0,
+                destination.raw,
+                glow::TEXTURE_2D,
+                0,
+                0,
+                0,
+                0,
+                width,
+                height,
+                1,
+            );
+        }
+        Ok(())
+    }
+
+    fn swap(&mut self, a: Map, b: Map) -> Result<()> {
+        let (of_a, of_b) = (self.texture(a)?, self.texture(b)?);
+        self.textures.insert(a, of_b);
+        self.textures.insert(b, of_a);
+        Ok(())
+    }
+
+    fn whole(&self) -> [i32; 4] {
+        [0, 0, self.size[0] as i32, self.size[1] as i32]
+    }
+
+    fn draw(&mut self, objects: Objects) -> Result<()> {
+        let no_program = || {
+            Error::usage(
+                "the listing draws before it chooses a program",
+                "glUseProgram comes first",
+            )
+        };
+        let program = self
+            .current
+            .and_then(|shader| self.programs.get(&shader))
+            .ok_or_else(no_program)?;
+        match (program, objects) {
+            (Linked::Screen(_), Objects::Screen) => {
+                let gl = self.context.glow();
+                // What is drawn over the screen works on layers of transparent surfaces, so it need not reach further
+                // than they do.
+                let [x, y, width, height] = self
+                    .geometry
+                    .as_ref()
+                    .map_or(self.whole(), Geometry::window);
+                // SAFETY: the program is current and reads no attributes, and the array has none.
+                unsafe {
+                    gl.enable(glow::SCISSOR_TEST);
+                    gl.scissor(x, y, width, height);
+                    gl.bind_vertex_array(Some(self.no_attributes));
+                    gl.draw_arrays(glow::TRIANGLES, 0, 3);
+                    gl.disable(glow::SCISSOR_TEST);
+                }
+            }
+            (
+                Linked::Surface { unlit, lit },
+                Objects::Scene | Objects::Opaque | Objects::Transparent,
+            ) => {
+                let no_scene = || {
+                    Error::usage(
+                        "the listing draws a scene before there is one",
+                        "set_geometry first",
+                    )
+                };
+                self.geometry
+                    .as_ref()
+                    .ok_or_else(no_scene)?
+                    .draw(unlit, lit, objects);
+                if objects != Objects::Opaque {
+                    self.counts.geometry_passes += 1;
+                }
+            }
+            _ => {
+                return Err(Error::usage(
+                    format!("the current program does not draw {objects:?}"),
+                    "choose one for the screen or one for surfaces with glUseProgram",
+                ));
+            }
+        }
+        Ok(())
+    }
+
+    fn execute(&mut self, call: &Call) -> Result<()> {
+        let gl = self.context.glow();
+        // SAFETY: the context is current. Every constant comes from an enum of OpenGL's own, every object from this
+        // machine's tables.
+        unsafe {
+            match *call {
+                Call::ClearColor {
+                    red,
+                    green,
+                    blue,
+                    alpha,
+                } => gl.clear_color(red, green, blue, alpha),
+                Call::ClearDepth { depth } => gl.clear_depth_f64(depth),
+                Call::ClearStencil { s } => gl.clear_stencil(s),
+                Call::Clear { mask } => gl.clear(clear_bits(mask)),
+                Call::Enable { cap } => gl.enable(capability(cap)),
+                Call::Disable { cap } => gl.disable(capability(cap)),
+                Call::DepthFunc { func } => gl.depth_func(compare(func)),
+                Call::DepthMask { flag } => gl.depth_mask(flag),
+                Call::ColorMask {
+                    red,
+                    green,
+                    blue,
+                    alpha,
+                } => gl.color_mask(red, green, blue, alpha),
+                Call::StencilMask { mask } => gl.stencil_mask(mask),
+                Call::StencilFunc {
+                    func,
+                    reference,
+                    mask,
+                } => gl.stencil_func(compare(func), reference, mask),
+                Call::StencilOp {
+                    sfail,
+                    dpfail,
+                    dppass,
+                } => {
+                    gl.stencil_op(stencil_op(sfail), stencil_op(dpfail), stencil_op(dppass));
+                }
+                Call::BlendFunc { sfactor, dfactor } => {
+                    gl.blend_func(blend_factor(sfactor), blend_factor(dfactor))
+                }
+                Call::BlendFuncSeparate {
+                    src_rgb,
+                    dst_rgb,
+                    src_alpha,
+                    dst_alpha,
+                } => {
+                    gl.blend_func_separate(
+                        blend_factor(src_rgb),
+                        blend_factor(dst_rgb),
+                        blend_factor(src_alpha),
+                        blend_factor(dst_alpha),
+                    );
+                }
+                Call::ActiveDepthUnit { .. } | Call::BindDepthBuffer { .. } => {
+                    return Err(Error::usage(
+                        format!("OpenGL has no depth units, so {call} cannot be performed"),
+                        "run the listing through steps::DepthUnits",
+                    ));
+                }
+                Call::ActiveTexture { unit } => gl.active_texture(glow::TEXTURE0 + unit),
+                Call::BindTexture { texture } => {
+                    let texture = self.texture(texture)?;
+                    gl.bind_texture(glow::TEXTURE_2D, Some(texture.raw));
+                }
+                Call::SamplerCompareFunc { func } => {
+                    let func = compare(func) as i32;
+                    gl.sampler_parameter_i32(self.shadow_sampler, glow::TEXTURE_COMPARE_FUNC, func);
+                }
+                Call::UseProgram { program } => self.use_program(program)?,
+                Call::BindFramebuffer { framebuffer } => self.bind_framebuffer(framebuffer)?,
+                Call::AttachColor { texture } => {
+                    let raw = Some(self.texture(texture)?.raw);
+                    gl.framebuffer_texture_2d(
+                        glow::FRAMEBUFFER,
+                        glow::COLOR_ATTACHMENT0,
+                        glow::TEXTURE_2D,
+                        raw,
+                        0,
+                    );
+                }
+                Call::AttachDepth { texture } => {
+                    let raw = Some(self.texture(texture)?.raw);
+                    let attachment = glow::DEPTH_STENCIL_ATTACHMENT;
+                    gl.framebuffer_texture_2d(
+                        glow::FRAMEBUFFER,
+                        attachment,
+                        glow::TEXTURE_2D,
+                        raw,
+                        0,
+                    );
+                }
+                Call::BeginQuery { query } => {
+                    let query = self.query(query)?;
+                    gl.begin_query(glow::SAMPLES_PASSED, query);
+                }
+                Call::EndQuery { .. } => gl.end_query(glow::SAMPLES_PASSED),
+                Call::CopyImage { from, to } => self.copy(from, to)?,
+                Call::Swap { a, b } => self.swap(a, b)?,
+                Call::Draw { objects } => self.draw(objects)?,
+            }
+        }
+        Ok(())
+    }
+}

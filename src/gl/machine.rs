@@ -1,0 +1,346 @@
+//! The GL machine's tables: which GL object a listing's name stands for. What the calls do is in `interpreter`.
+
+use std::collections::HashMap;
+
+use glow::HasContext;
+
+use super::context::Context;
+use super::geometry::Geometry;
+use super::program::Linked;
+use super::texture::{Format, Texture};
+use crate::error::{Error, Result};
+use crate::steps::{Map, Query, Shader, Target};
+
+/// Runs listings on OpenGL.
+///
+/// It keeps the tables that give the listings' names their GL objects. Maps and framebuffers are made by
+/// [`allocate`](Self::allocate) and [`target`](Self::target) before a listing runs; programs and queries are made when
+/// they are first named.
+pub struct GlMachine<'c> {
+    pub(super) context: &'c Context,
+    pub(super) size: [u32; 2],
+    pub(super) textures: HashMap<Map, Texture>,
+    pub(super) framebuffers: HashMap<Target, glow::Framebuffer>,
+    pub(super) programs: HashMap<Shader, Linked>,
+    pub(super) queries: HashMap<Query, glow::Query>,
+    /// With compare mode, of texture unit 0.
+    pub(super) shadow_sampler: glow::Sampler,
+    /// Without, of the other units.
+    pub(super) plain_sampler: glow::Sampler,
+    /// Draws without attributes need an array of none.
+    pub(super) no_attributes: glow::VertexArray,
+    pub(super) geometry: Option<Geometry<'c>>,
+    pub(super) current: Option<Shader>,
+    pub(super) counts: Counts,
+}
+
+/// What a machine has done since [`GlMachine::begin_frame`].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Counts {
+    /// Draws of the scene, or of its transparent part.
+    pub geometry_passes: u64,
+    /// Bytes of all textures and buffers that the method has the machine hold.
+    pub bytes: u64,
+}
+
+impl<'c> GlMachine<'c> {
+    /// A machine for images of one size.
+    ///
+    /// # Errors
+    /// If the size is 0 or over the driver's limit.
+    pub fn new(context: &'c Context, [width, height]: [u32; 2]) -> Result<Self> {
+        let largest = context.driver().largest_image();
+        if width == 0 || height == 0 || width > largest || height > largest {
+            return Err(Error::usage(
+                format!("an image of {width} x {height} pixels cannot be rendered"),
+                format!("this driver renders 1 x 1 to {largest} x {largest}"),
+            ));
+        }
+        let gl = context.glow();
+        let out = |what: String| Error::Driver {
+            what,
+            remedy: "the driver is out of memory or lost".into(),
+        };
+        // SAFETY: the context is current; the samplers are set up before they are used.
+        let (shadow_sampler, plain_sampler, no_attributes) = unsafe {
+            let shadow = gl.create_sampler().map_err(out)?;
+            let plain = gl.create_sampler().map_err(out)?;
+            for sampler in [shadow, plain] {
+                for (name, value) in [
+                    (glow::TEXTURE_MIN_FILTER, glow::NEAREST),
+                    (glow::TEXTURE_MAG_FILTER, glow::NEAREST),
+                    (glow::TEXTURE_WRAP_S, glow::CLAMP_TO_EDGE),
+                    (glow::TEXTURE_WRAP_T, glow::CLAMP_TO_EDGE),
+                ] {
+                    gl.sampler_parameter_i32(sampler, name, value as i32);
+                }
+            }
+            let compare = glow::COMPARE_REF_TO_TEXTURE as i32;
+            gl.sampler_parameter_i32(shadow, glow::TEXTURE_COMPARE_MODE, compare);
+            (shadow, plain, gl.create_vertex_array().map_err(out)?)
+        };
+        Ok(Self {
+            context,
+            size: [width, height],
+            textures: HashMap::new(),
+            framebuffers: HashMap::new(),
+            programs: HashMap::new(),
+            queries: HashMap::new(),
+            shadow_sampler,
+            plain_sampler,
+            no_attributes,
+            geometry: None,
+            current: None,
+            counts: Counts::default(),
+        })
+    }
+
+    /// The context it works in.
+    pub fn context(&self) -> &'c Context {
+        self.context
+    }
+
+    /// Width and height of its images.
+    pub fn size(&self) -> [u32; 2] {
+        self.size
+    }
+
+    /// What the draw calls draw from now on.
+    pub fn set_geometry(&mut self, geometry: Geometry<'c>) {
+        self.geometry = Some(geometry);
+    }
+
+    /// GL's initial state, as a fresh context has it, a viewport of the machine's size, and every count at 0. Listings
+    /// take it from there.
+    pub fn begin_frame(&mut self) {
+        let gl = self.context.glow();
+        // SAFETY: the context is current, and the arguments are GL's own defaults.
+        unsafe {
+            for capability in [
+                glow::DEPTH_TEST,
+                glow::STENCIL_TEST,
+                glow::BLEND,
+                glow::CULL_FACE,
+                glow::SCISSOR_TEST,
+                glow::DITHER,
+            ] {
+                gl.disable(capability);
+            }
+            gl.depth_func(glow::LESS);
+            gl.depth_mask(true);
+            gl.color_mask(true, true, true, true);
+            gl.stencil_mask(0xFF);
+            gl.stencil_func(glow::ALWAYS, 0, 0xFF);
+            gl.stencil_op(glow::KEEP, glow::KEEP, glow::KEEP);
+            gl.blend_equation(glow::FUNC_ADD);
+            gl.blend_func(glow::ONE, glow::ZERO);
+            gl.clear_depth_f64(1.0);
+            gl.clear_stencil(0);
+            gl.clear_color(0.0, 0.0, 0.0, 0.0);
+            gl.viewport(0, 0, self.size[0] as i32, self.size[1] as i32);
+            for unit in 0..8 {
+                let sampler = if unit == 0 {
+                    self.shadow_sampler
+                } else {
+                    self.plain_sampler
+                };
+                gl.bind_sampler(unit, Some(sampler));
+            }
+        }
+        self.counts.geometry_passes = 0;
+    }
+
+    /// What was done since the frame began.
+    pub fn counts(&self) -> Counts {
+        Counts {
+            bytes: self.textures.values().map(Texture::bytes).sum(),
+            ..self.counts
+        }
+    }
+
+    /// Waits until everything asked for has been done.
+    pub fn finish(&self) {
+        // SAFETY: the context is current.
+        unsafe { self.context.glow().finish() };
+    }
+
+    /// Makes a map of the image's size, unless it is there in this format.
+    ///
+    /// # Errors
+    /// If the driver has no room.
+    pub fn allocate(&mut self, map: Map, format: Format) -> Result<()> {
+        match self.textures.get(&map) {
+            Some(texture) if texture.format == format => Ok(()),
+            _ => {
+                self.free(map);
+                self.textures
+                    .insert(map, Texture::new(self.context.glow(), format, self.size)?);
+                Ok(())
+            }
+        }
+    }
+
+    /// Lets go of a map.
+    pub fn free(&mut self, map: Map) {
+        if let Some(texture) = self.textures.remove(&map) {
+            // SAFETY: the texture is the machine's own and is no longer in its table.
+            unsafe { self.context.glow().delete_texture(texture.raw) };
+        }
+    }
+
+    /// Lets go of every map and framebuffer.
+    pub fn free_every_map(&mut self) {
+        let gl = self.context.glow();
+        // SAFETY: the objects are the machine's own and leave its tables here.
+        unsafe {
+            self.framebuffers
+                .drain()
+                .for_each(|(_, framebuffer)| gl.delete_framebuffer(framebuffer));
+            self.textures
+                .drain()
+                .for_each(|(_, texture)| gl.delete_texture(texture.raw));
+        }
+    }
+
+    /// Makes a framebuffer that draws into these maps.
+    ///
+    /// # Errors
+    /// If a map is missing, or the driver does not take the combination.
+    pub fn target(&mut self, target: Target, color: Option<Map>, depth: Option<Map>) -> Result<()> {
+        self.bind_framebuffer(target)?;
+        let gl = self.context.glow();
+        for (attachment, map) in [
+            (glow::COLOR_ATTACHMENT0, color),
+            (glow::DEPTH_STENCIL_ATTACHMENT, depth),
+        ] {
+            let raw = map
+                .map(|map| self.texture(map).map(|texture| texture.raw))
+                .transpose()?;
+            // SAFETY: the framebuffer is bound, and the texture exists or is none.
+            unsafe {
+                gl.framebuffer_texture_2d(glow::FRAMEBUFFER, attachment, glow::TEXTURE_2D, raw, 0)
+            };
+        }
+        // SAFETY: the framebuffer is bound.
+        match unsafe { gl.check_framebuffer_status(glow::FRAMEBUFFER) } {
+            glow::FRAMEBUFFER_COMPLETE => Ok(()),
+            // A framebuffer whose depth map is attached by the listing has nothing yet.
+            glow::FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT
+                if color.is_none() && depth.is_none() =>
+            {
+                Ok(())
+            }
+            status => Err(Error::Driver {
+                what: format!(
+                    "the driver does not draw into the framebuffer '{}' (status 0x{status:X})",
+                    target.0
+                ),
+                remedy:
+                    "choose other formats for colour and depth; `onionskin doctor` shows the driver"
+                        .into(),
+            }),
+        }
+    }
+
+    /// Copies a framebuffer's colours into the default framebuffer, lower left corner on lower left corner.
+    ///
+    /// # Errors
+    /// If there is no such framebuffer.
+    pub fn copy_to_window(&mut self, target: Target) -> Result<()> {
+        let Some(&framebuffer) = self.framebuffers.get(&target) else {
+            return Err(Error::usage(
+                "there is no image to show yet",
+                "render one first",
+            ));
+        };
+        let gl = self.context.glow();
+        let [width, height] = self.size.map(|side| side as i32);
+        // SAFETY: the context is current, and the framebuffer is the machine's own.
+        unsafe {
+            gl.bind_framebuffer(glow::READ_FRAMEBUFFER, Some(framebuffer));
+            gl.bind_framebuffer(glow::DRAW_FRAMEBUFFER, None);
+            let all = glow::COLOR_BUFFER_BIT;
+            gl.blit_framebuffer(0, 0, width, height, 0, 0, width, height, all, glow::NEAREST);
+        }
+        Ok(())
+    }
+
+    /// A colour map's texels, bottom row first.
+    ///
+    /// # Errors
+    /// If there is no such map.
+    pub fn read_colors(&self, map: Map) -> Result<Vec<[f32; 4]>> {
+        Ok(self.texture(map)?.read_colors(self.context.glow()))
+    }
+
+    /// A depth map's depths, bottom row first.
+    ///
+    /// # Errors
+    /// If there is no such map.
+    pub fn read_depths(&self, map: Map) -> Result<Vec<f32>> {
+        Ok(self.texture(map)?.read_depths(self.context.glow()))
+    }
+
+    pub(super) fn texture(&self, map: Map) -> Result<Texture> {
+        self.textures.get(&map).copied().ok_or_else(|| {
+            Error::usage(
+                format!("the listing names the map '{map}', which does not exist"),
+                "allocate it first",
+            )
+        })
+    }
+
+    pub(super) fn bind_framebuffer(&mut self, target: Target) -> Result<()> {
+        let gl = self.context.glow();
+        let framebuffer = match self.framebuffers.get(&target) {
+            Some(framebuffer) => *framebuffer,
+            None => {
+                // SAFETY: the context is current.
+                let made = unsafe { gl.create_framebuffer() };
+                let made = made.map_err(|what| Error::Driver {
+                    what,
+                    remedy: "the driver is lost".into(),
+                })?;
+                self.framebuffers.insert(target, made);
+                made
+            }
+        };
+        // SAFETY: the framebuffer is the machine's own.
+        unsafe { gl.bind_framebuffer(glow::FRAMEBUFFER, Some(framebuffer)) };
+        Ok(())
+    }
+}
+
+impl Drop for GlMachine<'_> {
+    fn drop(&mut self) {
+        let gl = self.context.glow();
+        // SAFETY: every object is the machine's own, and the context outlives the borrow.
+        unsafe {
+            self.textures
+                .values()
+                .for_each(|texture| gl.delete_texture(texture.raw));
+            self.framebuffers
+                .values()
+                .for_each(|framebuffer| gl.delete_framebuffer(*framebuffer));
+            self.programs
+                .values()
+                .flat_map(Linked::programs)
+                .for_each(|program| gl.delete_program(program.raw));
+            self.queries
+                .values()
+                .for_each(|query| gl.delete_query(*query));
+            gl.delete_sampler(self.shadow_sampler);
+            gl.delete_sampler(self.plain_sampler);
+            gl.delete_vertex_array(self.no_attributes);
+        }
+    }
+}
+
+impl std::fmt::Debug for GlMachine<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("GlMachine")
+            .field("size", &self.size)
+            .field("maps", &self.textures.keys())
+            .finish()
+    }
+}

@@ -1,0 +1,26 @@
+//! The GL machine, and everything that is unsafe.
+//!
+//! `glow` declares every GL call unsafe, because a call is only sound while its context is current on the calling
+//! thread and its arguments fit the objects they name. Both are kept in this room: a [`Context`] is current from its
+//! creation to its end and cannot leave its thread, and whoever else calls GL does it through the safe types here.
+
+#![allow(unsafe_code)]
+
+mod capture;
+mod constants;
+mod context;
+mod driver;
+mod geometry;
+mod glsl;
+mod interpreter;
+mod machine;
+mod program;
+mod texture;
+mod trap;
+
+pub use capture::{CapturedFragment, capture};
+pub use context::{Backend, Context, ContextOptions, Profile};
+pub use driver::{Driver, Trap, WANTED_EXTENSIONS};
+pub use geometry::Geometry;
+pub use machine::{Counts, GlMachine};
+pub use texture::Format;

@@ -1,0 +1,114 @@
+//! Compiling and linking.
+
+use glow::HasContext;
+
+use super::glsl::Source;
+use crate::error::{Error, Result};
+use crate::steps::Shader;
+
+/// A linked program. Deleted by its owner.
+#[derive(Debug)]
+pub(super) struct Program {
+    pub(super) raw: glow::Program,
+    /// The uniforms of `geometry.vert` and `surface/`; none of them in a program without.
+    pub(super) view_projection: Option<glow::UniformLocation>,
+    pub(super) eye: Option<glow::UniformLocation>,
+    pub(super) two_sided: Option<glow::UniformLocation>,
+    pub(super) inside: Option<glow::UniformLocation>,
+    pub(super) first_triangle: Option<glow::UniformLocation>,
+}
+
+impl Program {
+    /// Links files of `glsl/`, one vertex shader and fragment shaders that complete each other. The context is current.
+    pub(super) fn link(gl: &glow::Context, files: &[&str]) -> Result<Self> {
+        let out = |what: String| Error::Driver {
+            what,
+            remedy: "the driver is out of memory or lost".into(),
+        };
+        // SAFETY: the context is current, and every object used here is made here.
+        unsafe {
+            let raw = gl.create_program().map_err(out)?;
+            for &file in files {
+                let vertex = file.ends_with(".vert");
+                let kind = if vertex {
+                    glow::VERTEX_SHADER
+                } else {
+                    glow::FRAGMENT_SHADER
+                };
+                let source = Source::load(file)?;
+                let shader = gl.create_shader(kind).map_err(out)?;
+                gl.shader_source(shader, &source.text);
+                gl.compile_shader(shader);
+                if !gl.get_shader_compile_status(shader) {
+                    let log = source.explain(&gl.get_shader_info_log(shader));
+                    gl.delete_shader(shader);
+                    gl.delete_program(raw);
+                    return Err(Error::Shader {
+                        file: file.into(),
+                        log,
+                    });
+                }
+                gl.attach_shader(raw, shader);
+                // It lives on as long as the program does.
+                gl.delete_shader(shader);
+            }
+            gl.link_program(raw);
+            if !gl.get_program_link_status(raw) {
+                let log = gl.get_program_info_log(raw);
+                gl.delete_program(raw);
+                return Err(Error::Shader {
+                    file: files.join(" with glsl/"),
+                    log,
+                });
+            }
+            let uniform = |name| gl.get_uniform_location(raw, name);
+            Ok(Self {
+                raw,
+                view_projection: uniform("view_projection"),
+                eye: uniform("eye"),
+                two_sided: uniform("two_sided"),
+                inside: uniform("inside"),
+                first_triangle: uniform("first_triangle"),
+            })
+        }
+    }
+}
+
+/// What a shader's name stands for.
+#[derive(Debug)]
+pub(super) enum Linked {
+    /// A program that draws [`Objects::Screen`].
+    Screen(Program),
+    /// Two programs that draw surfaces.
+    Surface { unlit: Program, lit: Program },
+}
+
+/// The shaders that draw [`Objects::Screen`]; all others draw surfaces.
+const ON_THE_SCREEN: [&str; 4] = ["layer", "over", "under", "trap"];
+
+impl Linked {
+    /// Links what the name stands for. The context is current.
+    pub(super) fn new(gl: &glow::Context, Shader(name): Shader) -> Result<Self> {
+        let fragment = format!("{name}.frag");
+        if ON_THE_SCREEN.contains(&name) {
+            return Ok(Self::Screen(Program::link(
+                gl,
+                &["screen.vert", &fragment],
+            )?));
+        }
+        let with = |surface| Program::link(gl, &["geometry.vert", &fragment, surface]);
+        Ok(Self::Surface {
+            unlit: with("surface/unlit.frag")?,
+            lit: with("surface/lit.frag")?,
+        })
+    }
+
+    /// Every program.
+    pub(super) fn programs(&self) -> impl Iterator<Item = &Program> {
+        let (first, second) = match self {
+            Self::Screen(program) => (program, None),
+            Self::Surface { unlit, lit } => (unlit, Some(lit)),
+        };
+        std::iter::once(first).chain(second)
+    }
+}

@@ -1,0 +1,132 @@
+//! Textures that are drawn into, looked up, copied and read back.
+
+use glow::HasContext;
+
+use crate::error::{Error, Result};
+
+/// How a texture stores its texels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Format {
+    /// Four bytes, each 0 to 1 in 256 steps.
+    Rgba8,
+    /// Four 16-bit floats.
+    Rgba16F,
+    /// Four 32-bit floats.
+    Rgba32F,
+    /// 32-bit float depth with 8 bits of stencil.
+    Depth32FStencil8,
+    /// 24-bit fixed-point depth with 8 bits of stencil. Sampled on llvmpipe it is not what was stored.
+    Depth24Stencil8,
+}
+
+impl Format {
+    /// GL's sized internal format.
+    pub(super) const fn internal(self) -> u32 {
+        match self {
+            Self::Rgba8 => glow::RGBA8,
+            Self::Rgba16F => glow::RGBA16F,
+            Self::Rgba32F => glow::RGBA32F,
+            Self::Depth32FStencil8 => glow::DEPTH32F_STENCIL8,
+            Self::Depth24Stencil8 => glow::DEPTH24_STENCIL8,
+        }
+    }
+
+    /// Bytes per texel, as GL counts them.
+    pub const fn bytes(self) -> u64 {
+        match self {
+            Self::Rgba8 | Self::Depth24Stencil8 => 4,
+            Self::Rgba16F | Self::Depth32FStencil8 => 8,
+            Self::Rgba32F => 16,
+        }
+    }
+}
+
+/// A two-dimensional texture of fixed size.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Texture {
+    pub(super) raw: glow::Texture,
+    pub(super) format: Format,
+    pub(super) size: [u32; 2],
+}
+
+impl Texture {
+    /// A texture, its contents undefined. The context is current.
+    pub(super) fn new(gl: &glow::Context, format: Format, size: [u32; 2]) -> Result<Self> {
+        let out_of_memory = |what: &dyn std::fmt::Display| Error::Driver {
+            what: format!(
+                "the driver has no room for a {} x {} texture ({format:?}): {what}",
+                size[0], size[1]
+            ),
+            remedy:
+                "render a smaller image, or composite layers on the fly instead of keeping them"
+                    .into(),
+        };
+        // SAFETY: the context is current.
+        let raw = unsafe { gl.create_texture() }.map_err(|e| out_of_memory(&e))?;
+        let [width, height] = size.map(|side| side as i32);
+        // SAFETY: the texture is bound, and its size is within the driver's limit, which the machine has checked.
+        let error = bound(gl, raw, || unsafe {
+            gl.tex_storage_2d(glow::TEXTURE_2D, 1, format.internal(), width, height);
+            gl.get_error()
+        });
+        if error == glow::NO_ERROR {
+            return Ok(Self { raw, format, size });
+        }
+        // SAFETY: the texture was made above and is nobody else's.
+        unsafe { gl.delete_texture(raw) };
+        Err(out_of_memory(&super::constants::error_name(error)))
+    }
+
+    /// Bytes of its texels.
+    pub(super) fn bytes(&self) -> u64 {
+        self.format.bytes() * u64::from(self.size[0]) * u64::from(self.size[1])
+    }
+
+    /// A colour texture's texels as floats, bottom row first.
+    pub(super) fn read_colors(&self, gl: &glow::Context) -> Vec<[f32; 4]> {
+        let mut texels = vec![[0.0; 4]; (self.size[0] * self.size[1]) as usize];
+        self.read(
+            gl,
+            glow::RGBA,
+            glow::FLOAT,
+            bytemuck::cast_slice_mut(&mut texels),
+        );
+        texels
+    }
+
+    /// A depth texture's depths, bottom row first.
+    pub(super) fn read_depths(&self, gl: &glow::Context) -> Vec<f32> {
+        let mut texels = vec![0.0; (self.size[0] * self.size[1]) as usize];
+        self.read(
+            gl,
+            glow::DEPTH_COMPONENT,
+            glow::FLOAT,
+            bytemuck::cast_slice_mut(&mut texels),
+        );
+        texels
+    }
+
+    fn read(&self, gl: &glow::Context, format: u32, kind: u32, into: &mut [u8]) {
+        // SAFETY: the texture is bound, and `into` holds one texel of `format` and `kind` for each of its.
+        bound(gl, self.raw, || unsafe {
+            gl.pixel_store_i32(glow::PACK_ALIGNMENT, 1);
+            let into = glow::PixelPackData::Slice(Some(into));
+            gl.get_tex_image(glow::TEXTURE_2D, 0, format, kind, into);
+        });
+    }
+}
+
+/// Does something with a texture bound, on a texture unit that no listing uses, so that a listing's bindings stay.
+fn bound<T>(gl: &glow::Context, texture: glow::Texture, work: impl FnOnce() -> T) -> T {
+    const UNIT: u32 = glow::TEXTURE15;
+    // SAFETY: the context is current; OpenGL 4.3 has at least 80 texture units; the active one is put back.
+    unsafe {
+        let active = gl.get_parameter_i32(glow::ACTIVE_TEXTURE) as u32;
+        gl.active_texture(UNIT);
+        gl.bind_texture(glow::TEXTURE_2D, Some(texture));
+        let result = work();
+        gl.bind_texture(glow::TEXTURE_2D, None);
+        gl.active_texture(active);
+        result
+    }
+}

@@ -1,0 +1,41 @@
+//! Blending in the order of submission: what depth peeling corrects (Everitt 2001, figure 1b).
+
+use super::{Algorithm, Drawn};
+use crate::error::Result;
+use crate::gl::GlMachine;
+use crate::papers::vtk::OPAQUE_FIRST;
+use crate::scene::Scene;
+use crate::steps;
+use crate::steps::{Dialect, Listing, Variables, gl::*, run};
+
+/// Each fragment over what is there already.
+pub(super) const BLEND_IN_ORDER: Listing = Listing {
+    title: "Transparent geometry over whatever came before it",
+    source: "Everitt 2001, Introduction",
+    dialect: Dialect::Calls,
+    steps: steps! {
+        run OPAQUE_FIRST;
+        glDepthMask(false);
+        glEnable(BLEND);
+        glBlendFuncSeparate(SRC_ALPHA, ONE_MINUS_SRC_ALPHA, ONE, ONE_MINUS_SRC_ALPHA);
+        drawTransparentObjects();
+        glDisable(BLEND);
+        glDepthMask(true);
+    },
+};
+
+pub(super) struct Blend;
+
+impl Algorithm for Blend {
+    fn prepare(&mut self, _: &mut GlMachine<'_>, _: &Scene) -> Result<()> {
+        Ok(())
+    }
+
+    fn draw(&mut self, machine: &mut GlMachine<'_>, _: &Scene) -> Result<Drawn> {
+        run(&BLEND_IN_ORDER, &[], Variables::new(), machine)?;
+        Ok(Drawn {
+            iterations: 1,
+            ..Drawn::default()
+        })
+    }
+}

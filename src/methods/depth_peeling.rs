@@ -1,0 +1,214 @@
+//! Depth peeling (Everitt 2001), bounded, stopped and composited as VTK's page describes.
+//!
+//! The loop is Everitt's [Listing 1](LISTING_1); [`vtk::KEEP_LAYERS`] and [`vtk::ON_THE_FLY`] say what is around it.
+//! Each pass peels away what lies at or before the previous layer and lets an ordinary depth test find the nearest of
+//! what is left. So a layer holds *one* fragment of each depth ("each unique depth"): of several fragments of a pixel
+//! with exactly the same depth the first submitted is kept and the others are lost. The frame says how many.
+//!
+//! Excludes: multisampling; depths at or beyond the far plane, which GL clips.
+
+use super::renderer::IMAGE;
+use super::{Algorithm, Composited, Drawn, Peeling};
+use crate::error::{Error, Result};
+use crate::gl::{Format, GlMachine};
+use crate::papers::everitt_2001::{self, LISTING_1};
+use crate::papers::vtk;
+use crate::scene::Scene;
+use crate::steps::{Amendment, Call, DepthUnits, Machine, Map, Outcome, Reason, Variables, run};
+
+/// How layers become an image.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Compositing {
+    /// Each layer goes under those before it as soon as it is there; none is kept.
+    #[default]
+    OnTheFly,
+    /// Every layer is kept with its depth, and the frame has them; composited back to front at the end. Memory grows
+    /// with the number of layers.
+    KeepLayers,
+}
+
+/// What can be chosen about depth peeling.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct DepthPeelingOptions {
+    /// The loop ends after so many peels; 0 is VTK's 'no limit', and the default: the image is exact.
+    pub maximum_number_of_peels: u32,
+    /// The loop ends after a peel that changed fewer pixels than this part of the image, 0 to 1. 0, the default, is
+    /// exact; that last peel is still composited.
+    pub occlusion_ratio: f64,
+    /// How layers become an image.
+    pub compositing: Compositing,
+    /// Listing 1 and the blending function with nothing amended: everything, opaque or not, is peeled by every one of
+    /// `maximum_number_of_peels` passes, of which there must then be at least one.
+    pub as_printed: bool,
+    /// More amendments to the listings that run: what does one changed word do?
+    pub amendments: &'static [Amendment],
+}
+
+impl DepthPeelingOptions {
+    /// Whether the frame has the layers.
+    pub(super) fn keeps_layers(&self) -> bool {
+        self.as_printed || self.compositing == Compositing::KeepLayers
+    }
+
+    /// Whether a frame can be rendered with them. It is asked before each frame; asking earlier says earlier what is
+    /// wrong.
+    ///
+    /// # Errors
+    /// If the occlusion ratio is out of range, or Listing 1 as printed is not told when to stop.
+    pub fn check(&self) -> Result<()> {
+        if !(0.0..=1.0).contains(&self.occlusion_ratio) {
+            let what = format!(
+                "the occlusion ratio {} is not between 0 and 1",
+                self.occlusion_ratio
+            );
+            return Err(Error::usage(
+                what,
+                "0 is exact; 0.01 ignores peels that change less than 1% of the image",
+            ));
+        }
+        if self.as_printed && self.maximum_number_of_peels == 0 {
+            return Err(Error::usage(
+                "Listing 1 as printed has no way to find out when to stop",
+                "say how many passes it makes: --peels 4 gives the four layers of its figure 3",
+            ));
+        }
+        Ok(())
+    }
+}
+
+pub(super) struct DepthPeeling {
+    pub(super) options: DepthPeelingOptions,
+    pub(super) color: Format,
+    pub(super) depth: Format,
+}
+
+const DEPTH_BUFFER: &str = "depth buffer";
+
+impl Algorithm for DepthPeeling {
+    fn prepare(&mut self, machine: &mut GlMachine<'_>, _: &Scene) -> Result<()> {
+        self.options.check()?;
+        machine.allocate(vtk::COLOR_BUFFER, self.color)?;
+        for number in [0, 1] {
+            machine.allocate(Map::numbered(DEPTH_BUFFER, number), self.depth)?;
+        }
+        machine.target(
+            vtk::PEEL,
+            Some(vtk::COLOR_BUFFER),
+            Some(Map::numbered(DEPTH_BUFFER, 0)),
+        )?;
+        machine.target(vtk::COMPOSITE, Some(IMAGE), None)?;
+        if !self.options.keeps_layers() {
+            machine.allocate(vtk::ACCUMULATED, self.color)?;
+            machine.target(vtk::ACCUMULATION, Some(vtk::ACCUMULATED), None)?;
+        }
+        Ok(())
+    }
+
+    fn draw(&mut self, machine: &mut GlMachine<'_>, scene: &Scene) -> Result<Drawn> {
+        if self.options.as_printed {
+            return self.draw_as_printed(machine);
+        }
+        if scene.meshes.iter().all(|mesh| mesh.opaque) {
+            run(&vtk::OPAQUE_FIRST, &[], Variables::new(), machine)?;
+            return Ok(Drawn {
+                iterations: 0,
+                peeling: Peeling::NothingTransparent,
+                ..Drawn::default()
+            });
+        }
+        let [width, height] = machine.size();
+        let variables = self
+            .variables()
+            .with("occlusion_ratio", self.options.occlusion_ratio)
+            .with("window_area", f64::from(width) * f64::from(height));
+        let listing = match self.options.compositing {
+            Compositing::OnTheFly => vtk::ON_THE_FLY,
+            Compositing::KeepLayers => vtk::KEEP_LAYERS,
+        };
+        let outcome = run(
+            &listing,
+            self.options.amendments,
+            variables,
+            &mut DepthUnits::new(machine),
+        )?;
+        Ok(drawn(&outcome))
+    }
+}
+
+impl DepthPeeling {
+    fn variables(&self) -> Variables {
+        let peels = match self.options.maximum_number_of_peels {
+            0 => f64::INFINITY,
+            peels => f64::from(peels),
+        };
+        Variables::new().with("num_passes", peels)
+    }
+
+    fn draw_as_printed(&self, machine: &mut GlMachine<'_>) -> Result<Drawn> {
+        for call in AS_PRINTED_AROUND {
+            machine.perform(&call)?;
+        }
+        let mut units = DepthUnits::new(machine);
+        let outcome = run(
+            &LISTING_1,
+            self.options.amendments,
+            self.variables(),
+            &mut units,
+        )?;
+        units.perform(&Call::BindFramebuffer {
+            framebuffer: vtk::COMPOSITE,
+        })?;
+        let layers = self.options.maximum_number_of_peels;
+        let variables = outcome.variables.with("num_layers", f64::from(layers));
+        run(
+            &everitt_2001::COMPOSITE,
+            self.options.amendments,
+            variables,
+            &mut units,
+        )?;
+        Ok(Drawn {
+            iterations: layers,
+            layers: Some(layers),
+            composited: Composited::Unknown,
+            stopped: Some(Reason::PeelLimit),
+            peeling: Peeling::Used,
+            image: None,
+        })
+    }
+}
+
+/// What Listing 1 takes for granted: the image has its background, the scene has a program, and a cleared layer
+/// covers nothing.
+const AS_PRINTED_AROUND: [Call; 5] = [
+    Call::BindFramebuffer {
+        framebuffer: vtk::COMPOSITE,
+    },
+    Call::Clear {
+        mask: crate::steps::gl::COLOR_BUFFER_BIT,
+    },
+    Call::BindFramebuffer {
+        framebuffer: vtk::PEEL,
+    },
+    Call::ClearColor {
+        red: 0.0,
+        green: 0.0,
+        blue: 0.0,
+        alpha: 0.0,
+    },
+    Call::UseProgram {
+        program: vtk::PEEL_SURFACE,
+    },
+];
+
+fn drawn(outcome: &Outcome) -> Drawn {
+    let number = |name| outcome.variables.get(name).unwrap_or(0.0);
+    let layers = number("num_layers") as u32;
+    Drawn {
+        iterations: number("peels") as u32,
+        layers: Some(layers),
+        composited: Composited::Some(number("composited") as u64),
+        stopped: Some(outcome.stopped.unwrap_or(Reason::PeelLimit)),
+        peeling: Peeling::Used,
+        image: None,
+    }
+}

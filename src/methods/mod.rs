@@ -1,0 +1,58 @@
+//! The methods: one file each, which reads like its paper, and the renderer that runs them.
+
+mod blend;
+mod depth_peeling;
+mod exact;
+mod painter;
+mod registry;
+mod renderer;
+mod stats;
+
+pub use depth_peeling::{Compositing, DepthPeelingOptions};
+pub use registry::{Entry, Method, registry};
+pub use renderer::{Frame, Layer, Renderer};
+pub use stats::{Peeling, Stats};
+
+use crate::error::Result;
+use crate::gl::GlMachine;
+use crate::image::Image;
+use crate::scene::Scene;
+use crate::steps::Reason;
+
+/// One published method, set up for a scene.
+trait Algorithm {
+    /// Gets what every frame needs: maps, framebuffers. Not part of a frame's time.
+    fn prepare(&mut self, machine: &mut GlMachine<'_>, scene: &Scene) -> Result<()>;
+
+    /// Draws one frame. The machine is in GL's initial state, but for the clear colour, which is the background's.
+    fn draw(&mut self, machine: &mut GlMachine<'_>, scene: &Scene) -> Result<Drawn>;
+}
+
+/// What a method has done in a frame.
+#[derive(Debug, Default)]
+struct Drawn {
+    /// Rounds of its loop, the last one included even if it found nothing.
+    iterations: u32,
+    /// Layers that are in the image; nothing if the method has none.
+    layers: Option<u32>,
+    /// Fragments that are in the image; nothing if the method cannot tell.
+    composited: Composited,
+    /// Why its loop ended; nothing if it has none.
+    stopped: Option<Reason>,
+    /// Whether depth peeling was used.
+    peeling: Peeling,
+    /// The image, if it is not in the map `image`.
+    image: Option<Image>,
+}
+
+/// Which of the transparent fragments are in the image.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+enum Composited {
+    /// All, in whatever order.
+    #[default]
+    All,
+    /// So many.
+    Some(u64),
+    /// The method cannot tell.
+    Unknown,
+}

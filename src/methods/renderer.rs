@@ -1,0 +1,256 @@
+//! Rendering: sets a method up for a scene, runs it, reads the image, and counts what belongs into it.
+
+use std::time::{Duration, Instant};
+
+use super::depth_peeling::DepthPeeling;
+use super::{Algorithm, Composited, Drawn, Method, Stats, blend, exact, painter};
+use crate::error::Result;
+use crate::gl::{Context, Format, Geometry, GlMachine};
+use crate::image::Image;
+use crate::papers::vtk;
+use crate::scene::Scene;
+use crate::steps;
+use crate::steps::{Call, Dialect, Listing, Machine, Map, Query, Target, Variables, gl::*, run};
+
+/// Renders scenes at one size.
+///
+/// ```no_run
+/// use onionskin::{Context, Method, Renderer, Scene};
+/// let context = Context::headless()?;
+/// let scene = Scene::load("engine.toml")?;
+/// let frame = Renderer::new(&context, 1024, 768)?.render(&scene, &Method::DepthPeeling(Default::default()))?;
+/// frame.image.save("engine.png")?;
+/// println!("{}", frame.stats);
+/// # Ok::<(), onionskin::Error>(())
+/// ```
+#[derive(Debug)]
+pub struct Renderer<'c> {
+    machine: GlMachine<'c>,
+    color: Format,
+    depth: Format,
+}
+
+/// An image and what there is to say about it.
+#[derive(Clone, Debug)]
+pub struct Frame {
+    /// The image.
+    pub image: Image,
+    /// The layers, nearest first, if the method keeps them.
+    pub layers: Vec<Layer>,
+    /// The counts, and the time.
+    pub stats: Stats,
+}
+
+/// One peeled layer.
+#[derive(Clone, Debug)]
+pub struct Layer {
+    /// Straight alpha; all channels 0 where the layer has no fragment.
+    pub color: Image,
+    /// Window-space depth, row by row from the top. Where the layer has no fragment it is the depth from which the peel
+    /// started: the opaque surface's, or 1.
+    pub depth: Vec<f32>,
+}
+
+/// The map that holds the finished image.
+pub(super) const IMAGE: Map = Map::named("image");
+
+/// After this no further frame is measured.
+const PATIENCE: Duration = Duration::from_secs(2);
+
+/// Counts the transparent fragments before the opaque depth with an occlusion query, depth only.
+const COUNT: Listing = Listing {
+    title: "How many fragments belong into the image",
+    source: "onionskin",
+    dialect: Dialect::Calls,
+    steps: steps! {
+        glBindFramebuffer(DEPTH_ALONE);
+        glClear(DEPTH_BUFFER_BIT);
+        glEnable(DEPTH_TEST);
+        glDepthFunc(LESS);
+        glUseProgram(vtk::SURFACE);
+        drawOpaqueObjects();
+        glDepthMask(false);
+        glBeginQuery(FRAGMENTS);
+        drawTransparentObjects();
+        glEndQuery(FRAGMENTS);
+        glDepthMask(true);
+    },
+};
+
+const FRAGMENTS: Query = Query("fragments");
+const DEPTH_ALONE: Target = Target("depth alone");
+
+impl<'c> Renderer<'c> {
+    /// A renderer for images of `width` x `height` pixels, with 32-bit float colours and depths.
+    ///
+    /// # Errors
+    /// If the size is 0 or over the driver's limit.
+    pub fn new(context: &'c Context, width: u32, height: u32) -> Result<Self> {
+        let machine = GlMachine::new(context, [width, height])?;
+        Ok(Self {
+            machine,
+            color: Format::Rgba32F,
+            depth: Format::Depth32FStencil8,
+        })
+    }
+
+    /// With other formats for the image and the layers, and for every depth.
+    #[must_use]
+    pub fn with_formats(mut self, color: Format, depth: Format) -> Self {
+        (self.color, self.depth) = (color, depth);
+        self
+    }
+
+    /// Renders one frame.
+    ///
+    /// # Errors
+    /// What the method or the driver cannot do.
+    pub fn render(&mut self, scene: &Scene, method: &Method) -> Result<Frame> {
+        let mut algorithm = self.prepare(scene, method)?;
+        let (drawn, ms) = self.draw(scene, algorithm.as_mut())?;
+        self.finish(scene, method, drawn, ms)
+    }
+
+    /// Renders a frame to warm up and then `frames` more, or as many as begin within two seconds, but at least one; the
+    /// time is their median.
+    ///
+    /// # Errors
+    /// As [`Renderer::render`].
+    pub fn measure(&mut self, scene: &Scene, method: &Method, frames: usize) -> Result<Frame> {
+        let mut algorithm = self.prepare(scene, method)?;
+        self.draw(scene, algorithm.as_mut())?;
+        let start = Instant::now();
+        let (mut drawn, ms) = self.draw(scene, algorithm.as_mut())?;
+        let mut times = vec![ms];
+        while times.len() < frames && start.elapsed() < PATIENCE {
+            let (again, ms) = self.draw(scene, algorithm.as_mut())?;
+            drawn = again;
+            times.push(ms);
+        }
+        times.sort_unstable_by(f64::total_cmp);
+        self.finish(scene, method, drawn, times[times.len() / 2])
+    }
+
+    /// Copies the last frame's image into the default framebuffer, which a window shows; the lower left corners meet.
+    /// Not for [`Method::Exact`], whose image is made outside of GL.
+    ///
+    /// # Errors
+    /// If nothing has been rendered yet.
+    pub fn present(&mut self) -> Result<()> {
+        self.machine.copy_to_window(vtk::IMAGE)
+    }
+
+    fn prepare(&mut self, scene: &Scene, method: &Method) -> Result<Box<dyn Algorithm>> {
+        let machine = &mut self.machine;
+        machine.free_every_map();
+        machine.allocate(IMAGE, self.color)?;
+        machine.allocate(vtk::OPAQUE_DEPTH, self.depth)?;
+        machine.target(vtk::IMAGE, Some(IMAGE), Some(vtk::OPAQUE_DEPTH))?;
+        machine.set_geometry(Geometry::upload(machine.context(), scene, machine.size())?);
+        let mut algorithm: Box<dyn Algorithm> = match method {
+            Method::Blend => Box::new(blend::Blend),
+            Method::Painter => Box::new(painter::Painter),
+            Method::DepthPeeling(options) => Box::new(DepthPeeling {
+                options: *options,
+                color: self.color,
+                depth: self.depth,
+            }),
+            Method::Exact => Box::new(exact::Exact),
+        };
+        algorithm.prepare(machine, scene)?;
+        Ok(algorithm)
+    }
+
+    fn draw(&mut self, scene: &Scene, algorithm: &mut dyn Algorithm) -> Result<(Drawn, f64)> {
+        self.begin(scene)?;
+        self.machine.finish();
+        let start = Instant::now();
+        let drawn = algorithm.draw(&mut self.machine, scene)?;
+        self.machine.finish();
+        Ok((drawn, start.elapsed().as_secs_f64() * 1e3))
+    }
+
+    /// GL's initial state and the background's colour.
+    fn begin(&mut self, scene: &Scene) -> Result<()> {
+        self.machine.begin_frame();
+        let [red, green, blue] = scene.background;
+        self.machine.perform(&Call::ClearColor {
+            red,
+            green,
+            blue,
+            alpha: 1.0,
+        })
+    }
+
+    fn finish(&mut self, scene: &Scene, method: &Method, drawn: Drawn, ms: f64) -> Result<Frame> {
+        let counts = self.machine.counts();
+        let image = match drawn.image {
+            Some(image) => image,
+            None => self.image(IMAGE)?,
+        };
+        let layers = match method {
+            Method::DepthPeeling(options) if options.keeps_layers() => {
+                self.layers(drawn.layers.unwrap_or(0))?
+            }
+            _ => Vec::new(),
+        };
+        let fragments = self.count_fragments(scene)?;
+        let lost = match drawn.composited {
+            Composited::All => Some(0),
+            Composited::Some(composited) => Some(fragments.saturating_sub(composited)),
+            Composited::Unknown => None,
+        };
+        let stats = Stats {
+            method: method.to_string(),
+            iterations: drawn.iterations,
+            geometry_passes: counts.geometry_passes,
+            layers: drawn.layers,
+            fragments,
+            lost,
+            stopped: drawn.stopped,
+            peeling: drawn.peeling,
+            bytes: counts.bytes,
+            ms,
+        };
+        Ok(Frame {
+            image,
+            layers,
+            stats,
+        })
+    }
+
+    fn image(&self, map: Map) -> Result<Image> {
+        let [width, height] = self.machine.size();
+        Ok(Image::from_bottom_up(
+            width,
+            height,
+            &self.machine.read_colors(map)?,
+        ))
+    }
+
+    fn layers(&self, count: u32) -> Result<Vec<Layer>> {
+        let width = self.machine.size()[0] as usize;
+        let layer = |number| {
+            let color = self.image(Map::numbered("layer", number))?;
+            // As printed, the listing saves colours only.
+            let depth = self
+                .machine
+                .read_depths(Map::numbered("layer depth", number))
+                .unwrap_or_default();
+            Ok(Layer {
+                color,
+                depth: depth.chunks_exact(width).rev().flatten().copied().collect(),
+            })
+        };
+        (0..count).map(layer).collect()
+    }
+
+    /// What belongs into the image, whatever the method has done: see [`COUNT`]. Leaves the image as it is.
+    fn count_fragments(&mut self, scene: &Scene) -> Result<u64> {
+        self.machine
+            .target(DEPTH_ALONE, None, Some(vtk::OPAQUE_DEPTH))?;
+        self.begin(scene)?;
+        run(&COUNT, &[], Variables::new(), &mut self.machine)?;
+        self.machine.samples(FRAGMENTS)
+    }
+}

@@ -1,0 +1,87 @@
+//! What a frame has to say besides its image.
+
+use std::fmt;
+
+use crate::steps::Reason;
+
+/// The facts of a frame. Everything but `ms` is a count and the same on every run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Stats {
+    /// The method's name.
+    pub method: String,
+    /// Rounds of the method's loop, the last one included even if it found nothing; 1 if it has no loop.
+    pub iterations: u32,
+    /// How often the transparent geometry was drawn.
+    pub geometry_passes: u64,
+    /// Layers in the image; nothing if the method does not make layers.
+    pub layers: Option<u32>,
+    /// Transparent fragments before the opaque depth: what belongs into the image.
+    pub fragments: u64,
+    /// How many of them are not in it (dropped ties, peels not made); nothing if the method cannot tell.
+    pub lost: Option<u64>,
+    /// Why the loop ended; nothing if the method has none.
+    pub stopped: Option<Reason>,
+    /// Whether depth peeling was used, and if not, why.
+    pub peeling: Peeling,
+    /// Bytes of the maps that the method has allocated.
+    pub bytes: u64,
+    /// Time of the frame in milliseconds, readback and files left out.
+    ///
+    /// The median of several frames after [`measure`](super::Renderer::measure); after
+    /// [`render`](super::Renderer::render) it is the one frame's, the compilation of its shaders included.
+    pub ms: f64,
+}
+
+/// VTK's question, "was depth peeling actually used", with the answer's reason.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Peeling {
+    /// It was.
+    Used,
+    /// There was nothing to peel.
+    NothingTransparent,
+    /// The method is another one.
+    #[default]
+    OtherMethod,
+}
+
+impl fmt::Display for Peeling {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Used => "used",
+            Self::NothingTransparent => "not used: nothing is transparent",
+            Self::OtherMethod => "not used: another method",
+        })
+    }
+}
+
+impl Stats {
+    /// Why the loop ended, for people and for JSON.
+    pub fn stopped_text(&self) -> String {
+        self.stopped
+            .map_or_else(|| "done".into(), |reason| reason.to_string())
+    }
+}
+
+impl fmt::Display for Stats {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut line = |name: &str, value: &dyn fmt::Display| writeln!(f, "{name:<16} {value}");
+        line("method", &self.method)?;
+        line("iterations", &self.iterations)?;
+        line("geometry passes", &self.geometry_passes)?;
+        if let Some(layers) = self.layers {
+            line("layers", &layers)?;
+        }
+        line("stopped", &self.stopped_text())?;
+        line("depth peeling", &self.peeling)?;
+        line("fragments", &self.fragments)?;
+        match self.lost {
+            Some(lost) => line("lost", &lost)?,
+            None => line("lost", &"not counted")?,
+        }
+        line(
+            "memory",
+            &format_args!("{:.1} MiB", self.bytes as f64 / f64::from(1 << 20)),
+        )?;
+        write!(f, "{:<16} {:.1} ms", "time", self.ms)
+    }
+}
