@@ -1,0 +1,62 @@
+//! The layers one by one (Everitt 2001, figure 3).
+//!
+//! A teapot over a plane: outside red, inside green, the plane blue. Layer 0 is the nearest surface at each pixel,
+//! layer 1 the second nearest, and so on. Samples get fewer from layer to layer, and layer 2 is mostly plane in the
+//! shape of a teapot.
+//!
+//! Writes one picture: layers 0 and 1 above, 2 and 3 below, each surface opaque, so that it can be seen.
+//!
+//! `cargo run --example 03_layers_one_by_one [FOLDER]`
+
+use onionskin::fragment::Rgba;
+use onionskin::methods::{Compositing, DepthPeelingOptions, Layer};
+use onionskin::{Context, Image, Method, Renderer, Scene};
+
+#[path = "common/example.rs"]
+mod example;
+
+const WHITE: Rgba = Rgba::opaque([1.0; 3]);
+
+fn main() -> onionskin::Result<()> {
+    let scene = Scene::load_at(example::scene("teapot.toml"), Some([512, 384]))?;
+    let context = Context::headless()?;
+    let options = DepthPeelingOptions {
+        compositing: Compositing::KeepLayers,
+        ..Default::default()
+    };
+    let frame =
+        Renderer::new(&context, 512, 384)?.render(&scene, &Method::DepthPeeling(options))?;
+
+    for (number, layer) in frame.layers.iter().enumerate() {
+        let samples = layer.depth.iter().filter(|&&depth| depth < 1.0).count();
+        println!("layer {number}: {samples:6} samples");
+    }
+
+    let pictures: Vec<Image> = frame.layers.iter().take(4).map(opaque).collect();
+    let path = example::output("03_layers_one_by_one.png")?;
+    Image::grid(
+        &pictures.iter().collect::<Vec<_>>(),
+        2,
+        4,
+        Rgba::opaque([0.6; 3]),
+    )
+    .save(&path)?;
+    println!("{}", path.display());
+    Ok(())
+}
+
+/// A layer as an opaque picture over white. It is where its depth lies before the far plane.
+fn opaque(layer: &Layer) -> Image {
+    let texels = layer.color.pixels.iter().zip(&layer.depth);
+    let pixels = texels.map(|(&color, &depth)| {
+        if depth < 1.0 {
+            Rgba { a: 1.0, ..color }
+        } else {
+            WHITE
+        }
+    });
+    Image {
+        pixels: pixels.collect(),
+        ..layer.color
+    }
+}

@@ -1,0 +1,120 @@
+//! `onionskin compare`: several methods on one scene.
+
+use std::process::ExitCode;
+
+use clap::Args;
+use comfy_table::{CellAlignment, Table, presets};
+use onionskin::image::Comparison;
+use onionskin::methods::{Frame, registry};
+use onionskin::{Method, Result};
+
+use super::output::{print_json, say};
+use super::progress::Progress;
+use super::record::Record;
+use super::render::loss;
+use super::setup::Setup;
+
+/// How many frames a time is the median of.
+pub(super) const FRAMES: usize = 5;
+
+/// Compare methods on one scene: passes, time, and error against the exact image
+///
+/// Iterations are rounds of the method's loop; geometry passes, how often the transparent geometry was drawn; lost
+/// fragments belong into the image and are not in it. Memory is what the method allocates on the GPU besides the
+/// geometry. Times are milliseconds a frame: medians of several frames after a warm-up, readback left out; they compare
+/// within one run only. Errors are differences of a channel from the exact image, 0 to 1.
+#[derive(Args)]
+#[command(after_help = EXAMPLES)]
+pub(super) struct Compare {
+    #[command(flatten)]
+    setup: Setup,
+    /// Methods, separated by commas, or all; `onionskin methods` describes them
+    #[arg(short, long, value_name = "METHODS", default_value = "all")]
+    method: String,
+    /// Print one JSON object a method and nothing else
+    #[arg(long)]
+    json: bool,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  onionskin compare scene.toml
+  onionskin compare model.obj -m blend,depth-peeling --size 640x480
+  onionskin compare scene.toml --json | jq 'select(.max_error > 0.01) | .method'";
+
+impl Compare {
+    pub(super) fn run(self) -> Result<ExitCode> {
+        let methods = self.methods()?;
+        let scene = self.setup.scene()?;
+        let context = self.setup.gl.context()?;
+        let mut renderer = self.setup.renderer(&context, &scene)?;
+        let progress = Progress::new(methods.len() as u64 + 1, "exact");
+        let exact = renderer.render(&scene, &Method::Exact)?;
+        progress.part_done();
+        let mut results = Vec::new();
+        for method in methods {
+            progress.next(&method.to_string());
+            let frame = renderer.measure(&scene, &method, FRAMES)?;
+            let error = Comparison::new(&frame.image, &exact.image, 0.0)?;
+            progress.part_done();
+            results.push((frame, error));
+        }
+        drop(progress);
+        if self.json {
+            for (frame, error) in &results {
+                print_json(&Record::new(&scene.name, &frame.stats, error))?;
+            }
+        } else {
+            say(table(&results))?;
+            say(format_args!(
+                "{} fragments in {} x {} pixels",
+                exact.stats.fragments, scene.size[0], scene.size[1]
+            ))?;
+        }
+        for (frame, _) in &results {
+            if let Some(note) = loss(&frame.stats) {
+                eprintln!("note: {note}");
+            }
+        }
+        Ok(ExitCode::SUCCESS)
+    }
+
+    fn methods(&self) -> Result<Vec<Method>> {
+        match self.method.as_str() {
+            "all" => Ok(registry().iter().map(|entry| entry.method).collect()),
+            names => names.split(',').map(|name| name.trim().parse()).collect(),
+        }
+    }
+}
+
+fn table(results: &[(Frame, Comparison)]) -> Table {
+    let mut table = Table::new();
+    table.load_style(presets::NOTHING).set_header([
+        "method",
+        "iterations",
+        "geometry passes",
+        "lost",
+        "memory MiB",
+        "ms",
+        "max error",
+        "rms error",
+    ]);
+    for (Frame { stats, .. }, error) in results {
+        table.add_row([
+            stats.method.clone(),
+            stats.iterations.to_string(),
+            stats.geometry_passes.to_string(),
+            stats
+                .lost
+                .map_or_else(|| "not counted".into(), |lost| lost.to_string()),
+            format!("{:.1}", stats.bytes as f64 / f64::from(1 << 20)),
+            format!("{:.1}", stats.ms),
+            format!("{:.2e}", error.max),
+            format!("{:.2e}", error.rms),
+        ]);
+    }
+    for column in table.column_iter_mut().skip(1) {
+        column.set_cell_alignment(CellAlignment::Right);
+    }
+    table
+}

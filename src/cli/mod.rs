@@ -1,0 +1,66 @@
+//! One file a subcommand; here is what they share.
+
+mod check;
+mod compare;
+mod doctor;
+mod listing;
+mod methods;
+mod output;
+mod progress;
+mod record;
+mod render;
+mod setup;
+
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+/// Correct transparency as it was published, run headless.
+///
+/// Renders scenes of transparent surfaces by the methods of Everitt 2001 and VTK, holds them against an exact image,
+/// and prints the listings it runs. Needs OpenGL 4.3, but neither display nor GPU: Mesa's software renderer will do.
+#[derive(Parser)]
+#[command(version, after_help = EXAMPLES)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  onionskin doctor                                     is there an OpenGL that will do?
+  onionskin render model.obj -o model.png              the exact image of a model
+  onionskin compare examples/scenes/teapot.toml        which method is how wrong, and how slow
+  onionskin check examples/scenes/teapot.toml my.png   is my renderer's image right?
+  onionskin listing everitt/listing-1                  what depth peeling does, as the paper has it
+
+`onionskin COMMAND --help` explains the arguments, `onionskin render --help` also scene files.
+Results go to standard output; notes and errors go to standard error.
+Exit codes: 0 done, 1 `check` found a difference, 2 it could not be done.";
+
+#[derive(Subcommand)]
+enum Command {
+    Render(render::Render),
+    Compare(compare::Compare),
+    Check(check::Check),
+    Listing(listing::Listing),
+    Methods(methods::Methods),
+    Doctor(doctor::Doctor),
+}
+
+/// Runs the command line.
+pub(crate) fn run() -> ExitCode {
+    // clap prints its own messages, and exits with 2 where the command line is wrong.
+    let done = match Cli::parse().command {
+        Command::Render(render) => render.run(),
+        Command::Compare(compare) => compare.run(),
+        Command::Check(check) => check.run(),
+        Command::Listing(listing) => listing.run(),
+        Command::Methods(methods) => methods.run(),
+        Command::Doctor(doctor) => doctor.run(),
+    };
+    done.unwrap_or_else(|error| {
+        eprintln!("onionskin: {error}");
+        ExitCode::from(2)
+    })
+}

@@ -1,0 +1,127 @@
+//! Arguments that several subcommands have: which scene, at which size, by which OpenGL.
+
+use std::path::PathBuf;
+
+use clap::{Args, ValueEnum};
+use onionskin::gl::{Backend, ContextOptions, Format};
+use onionskin::{Context, Error, Renderer, Result, Scene};
+
+use super::progress::Progress;
+
+const RENDERING: &str = "Options of every rendering";
+
+/// What a scene file looks like, for the help.
+pub(super) const SCENE_FILES: &str = r#"Scene files:
+  size = [1024, 768]              # pixels
+  background = [1.0, 1.0, 1.0]    # linear RGB, 0 to 1
+
+  [camera]                        # what is left out is fitted to the meshes
+  eye = [0.0, 0.0, 3.0]
+  target = [0.0, 0.0, 0.0]
+  up = [0.0, 1.0, 0.0]
+  fov = 30.0                      # vertical, degrees
+
+  [[mesh]]                        # as many as you like, drawn in this order
+  file = "model.obj"              # starts at the scene file's folder
+  color = [0.8, 0.55, 0.3]        # the model's own if left out
+  opacity = 0.4                   # 1 is opaque
+  shading = "none"                # none (flat unlit colour), flat, lit, two-sided"#;
+
+#[derive(Args)]
+pub(super) struct Setup {
+    /// A scene file (.toml), or a model (.obj), which a camera is fitted to
+    #[arg(value_name = "SCENE|MODEL")]
+    pub(super) scene: PathBuf,
+    /// Width and height of the image in pixels; if left out the scene's, and 1024x768 for a model
+    #[arg(long, value_name = "WxH", value_parser = size, help_heading = RENDERING)]
+    size: Option<[u32; 2]>,
+    /// How the image and the layers store their colours
+    #[arg(long, value_enum, default_value_t = Color::Rgba32f, help_heading = RENDERING)]
+    color: Color,
+    /// How depths are stored
+    #[arg(long, value_enum, default_value_t = Depth::D32f, help_heading = RENDERING)]
+    depth: Depth,
+    #[command(flatten)]
+    pub(super) gl: Gl,
+}
+
+#[derive(Args)]
+pub(super) struct Gl {
+    /// How to get at OpenGL: egl or osmesa; whichever is there if left out, egl first
+    #[arg(long, env = "ONIONSKIN_BACKEND", hide_env_values = true, value_name = "BACKEND", help_heading = RENDERING)]
+    backend: Option<String>,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Color {
+    /// 8 bits, rounded after every layer
+    Rgba8,
+    /// 16-bit float
+    Rgba16f,
+    /// 32-bit float
+    Rgba32f,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Depth {
+    /// 24 bits; shows what goes wrong when they are sampled
+    D24,
+    /// 32-bit float
+    D32f,
+}
+
+impl Gl {
+    /// The context that is asked for.
+    pub(super) fn context(&self) -> Result<Context> {
+        Context::new(ContextOptions {
+            backend: self.backend()?,
+            ..ContextOptions::default()
+        })
+    }
+
+    fn backend(&self) -> Result<Option<Backend>> {
+        let backend = self.backend.as_deref().filter(|name| !name.is_empty());
+        backend.map(str::parse).transpose()
+    }
+}
+
+impl Setup {
+    /// Loads the scene. What was repaired on the way goes to standard error.
+    pub(super) fn scene(&self) -> Result<Scene> {
+        // Known to be wrong before anything long begins.
+        self.gl.backend()?;
+        let progress = Progress::new(1, &format!("loading {}", self.scene.display()));
+        let scene = Scene::load_at(&self.scene, self.size)?;
+        drop(progress);
+        for notice in &scene.notices {
+            eprintln!("note: {notice}");
+        }
+        Ok(scene)
+    }
+
+    /// A renderer for the scene's size.
+    pub(super) fn renderer<'c>(&self, context: &'c Context, scene: &Scene) -> Result<Renderer<'c>> {
+        let color = match self.color {
+            Color::Rgba8 => Format::Rgba8,
+            Color::Rgba16f => Format::Rgba16F,
+            Color::Rgba32f => Format::Rgba32F,
+        };
+        let depth = match self.depth {
+            Depth::D24 => Format::Depth24Stencil8,
+            Depth::D32f => Format::Depth32FStencil8,
+        };
+        Ok(Renderer::new(context, scene.size[0], scene.size[1])?.with_formats(color, depth))
+    }
+}
+
+fn size(text: &str) -> Result<[u32; 2], Error> {
+    let wrong = || {
+        Error::usage(
+            format!("'{text}' is not a size"),
+            "write width x height in pixels, such as 1024x768; neither is 0",
+        )
+    };
+    let side = |text: &str| text.parse().ok().filter(|&side| side > 0).ok_or_else(wrong);
+    let (width, height) = text.split_once(['x', 'X']).ok_or_else(wrong)?;
+    Ok([side(width)?, side(height)?])
+}
