@@ -1,6 +1,7 @@
 //! EGL: Mesa's surfaceless platform first, then each EGL device.
 
 use std::ffi::c_void;
+use std::sync::OnceLock;
 
 use khronos_egl as egl;
 
@@ -15,8 +16,12 @@ const PLATFORM_DEVICE_EXT: egl::Enum = 0x313F;
 /// that the error can say which version it has.
 const VERSIONS: [(egl::Int, egl::Int); 3] = [(4, 5), (4, 3), (3, 1)];
 
+/// libEGL, once it has been loaded. Mesa keeps thread-local state and worker threads, which do not survive an
+/// unloading: the library stays for as long as the process does, as the display does that it has initialised.
+static LIBRARY: OnceLock<Instance> = OnceLock::new();
+
 struct EglContext {
-    instance: Instance,
+    instance: &'static Instance,
     display: egl::Display,
     context: egl::Context,
 }
@@ -30,12 +35,10 @@ pub(super) fn open(
         what: format!("egl, {what}"),
         answer,
     };
-    // SAFETY: libEGL.so.1 is the platform's EGL; loading it runs its initialisers and nothing else.
-    let instance = unsafe { Instance::load_required() }
-        .map_err(|e| attempt("loading libEGL.so.1", with_reasons(&e)))?;
+    let instance = library().map_err(|answer| attempt("loading libEGL.so.1", answer))?;
     let mut failures = Vec::new();
-    for (name, display) in displays(&instance) {
-        match display.and_then(|display| on_display(&instance, display, profile)) {
+    for (name, display) in displays(instance) {
+        match display.and_then(|display| on_display(instance, display, profile)) {
             Ok((display, context)) => {
                 tried.append(&mut failures);
                 return Ok(Box::new(EglContext {
@@ -52,6 +55,15 @@ pub(super) fn open(
         .unwrap_or_else(|| attempt("displays", "there are none".into()));
     tried.append(&mut failures);
     Err(last)
+}
+
+fn library() -> Result<&'static Instance, String> {
+    if let Some(instance) = LIBRARY.get() {
+        return Ok(instance);
+    }
+    // SAFETY: libEGL.so.1 is the platform's EGL; loading it runs its initialisers and nothing else.
+    let loaded = unsafe { Instance::load_required() }.map_err(|e| with_reasons(&e))?;
+    Ok(LIBRARY.get_or_init(|| loaded))
 }
 
 /// Every display there is, with a name for messages.

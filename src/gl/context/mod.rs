@@ -8,7 +8,7 @@ mod osmesa;
 
 use std::fmt;
 use std::marker::PhantomData;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use crate::error::{Attempt, Error, Result};
 use crate::gl::driver::Driver;
@@ -54,8 +54,7 @@ pub struct ContextOptions {
 pub struct Context {
     gl: Arc<glow::Context>,
     driver: Driver,
-    // After `gl`: the functions must not outlive the library they come from.
-    _current: Option<Box<dyn Current>>,
+    current: Option<Box<dyn Current>>,
     backend: Option<Backend>,
     _not_send: PhantomData<*const ()>,
 }
@@ -117,7 +116,7 @@ impl Context {
         Ok(Self {
             gl,
             driver,
-            _current: None,
+            current: None,
             backend: None,
             _not_send: PhantomData,
         })
@@ -139,6 +138,13 @@ impl Context {
     }
 }
 
+impl Drop for Context {
+    fn drop(&mut self) {
+        let _one_at_a_time = one_at_a_time();
+        self.current = None;
+    }
+}
+
 fn from_environment() -> Result<Option<Backend>> {
     match std::env::var(BACKEND_VARIABLE) {
         Ok(name) if !name.is_empty() => name.parse().map(Some),
@@ -149,6 +155,7 @@ fn from_environment() -> Result<Option<Backend>> {
 /// Tries the wanted versions one by one. What failed on the way to a context goes into `tried`, the last failure is
 /// returned.
 fn open(backend: Backend, profile: Profile, tried: &mut Vec<Attempt>) -> Result<Context, Attempt> {
+    let _one_at_a_time = one_at_a_time();
     let current = match backend {
         Backend::Egl => egl::open(profile, tried)?,
         Backend::OsMesa => osmesa::open(profile)?,
@@ -168,10 +175,18 @@ fn open(backend: Backend, profile: Profile, tried: &mut Vec<Attempt>) -> Result<
     Ok(Context {
         gl: Arc::new(gl),
         driver,
-        _current: Some(current),
+        current: Some(current),
         backend: Some(backend),
         _not_send: PhantomData,
     })
+}
+
+/// Held while a context is made or ended. Drivers promise that contexts of several threads may live side by side; that
+/// they may come and go at the same moment is where Mesa's shared state (displays, screens, shader types) is touched.
+fn one_at_a_time() -> MutexGuard<'static, ()> {
+    static LIFETIMES: Mutex<()> = Mutex::new(());
+    // It guards no data, so a panic while it was held has left nothing half done.
+    LIFETIMES.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// An error with its reasons, for libloading says only 'dlopen failed' by itself. A reason that the error has named
