@@ -17,6 +17,7 @@
 //! 0  fragment, image, error  plain types
 //! ```
 
+pub mod emulator;
 pub mod error;
 pub mod fragment;
 pub mod gl;

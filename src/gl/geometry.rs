@@ -26,6 +26,8 @@ struct Run {
     mesh: usize,
     first: i32,
     count: i32,
+    /// The place of its first triangle in the order of submission.
+    place: u32,
 }
 
 /// A large mesh is drawn in pieces of so many indices with a flush after each, so that a driver whose vertex stage and
@@ -34,12 +36,13 @@ const PIECE: i32 = 3 * 25_000;
 
 impl Run {
     fn pieces(&self) -> impl Iterator<Item = Self> + use<> {
-        let (mesh, first, end) = (self.mesh, self.first, self.first + self.count);
-        let starts = (first..end).step_by(PIECE as usize);
-        starts.map(move |first| Self {
+        let (mesh, start, place) = (self.mesh, self.first, self.place);
+        let end = start + self.count;
+        (start..end).step_by(PIECE as usize).map(move |first| Self {
             mesh,
             first,
             count: PIECE.min(end - first),
+            place: place + (first - start) as u32 / 3,
         })
     }
 }
@@ -50,10 +53,9 @@ struct Uploaded {
     indices: glow::Buffer,
     array: glow::VertexArray,
     opaque: bool,
+    sorted: bool,
     shading: Shading,
     inside: [f32; 3],
-    /// Triangles of the meshes before this one.
-    first_triangle: u32,
 }
 
 impl<'c> Geometry<'c> {
@@ -63,21 +65,19 @@ impl<'c> Geometry<'c> {
     /// If the driver has no room, or a mesh is larger than a draw call.
     pub fn upload(context: &'c Context, scene: &Scene, size: [u32; 2]) -> Result<Self> {
         let mut geometry = Self::empty(context, scene, size);
-        let mut first_triangle = 0;
+        let mut place = 0;
         for (number, mesh) in scene.meshes.iter().enumerate() {
-            geometry.meshes.push(Uploaded::new(
-                context.glow(),
-                mesh,
-                &mesh.triangles,
-                first_triangle,
-            )?);
+            geometry
+                .meshes
+                .push(Uploaded::new(context.glow(), mesh, &mesh.triangles)?);
             // `Uploaded::new` has checked that the count fits.
             geometry.draws.push(Run {
                 mesh: number,
                 first: 0,
                 count: mesh.triangles.len() as i32 * 3,
+                place,
             });
-            first_triangle += mesh.triangles.len() as u32;
+            place += mesh.triangles.len() as u32;
         }
         Ok(geometry)
     }
@@ -94,7 +94,7 @@ impl<'c> Geometry<'c> {
     ) -> Result<Self> {
         let mut geometry = Self::empty(context, scene, size);
         let mut triangles: Vec<Vec<[u32; 3]>> = vec![Vec::new(); scene.meshes.len()];
-        for &[mesh, triangle] in order {
+        for (place, &[mesh, triangle]) in order.iter().enumerate() {
             let mesh = mesh as usize;
             let of_mesh = &mut triangles[mesh];
             match geometry.draws.last_mut() {
@@ -103,6 +103,7 @@ impl<'c> Geometry<'c> {
                     mesh,
                     first: of_mesh.len() as i32 * 3,
                     count: 3,
+                    place: place as u32,
                 }),
             }
             of_mesh.push(scene.meshes[mesh].triangles[triangle as usize]);
@@ -110,7 +111,7 @@ impl<'c> Geometry<'c> {
         for (mesh, triangles) in scene.meshes.iter().zip(&triangles) {
             geometry
                 .meshes
-                .push(Uploaded::new(context.glow(), mesh, triangles, 0)?);
+                .push(Uploaded::new(context.glow(), mesh, triangles)?);
         }
         Ok(geometry)
     }
@@ -134,7 +135,8 @@ impl<'c> Geometry<'c> {
     }
 
     /// Draws with the program for unlit surfaces and the one for lit ones, changing between them as the meshes ask.
-    pub(super) fn draw(&self, unlit: &Program, lit: &Program, objects: Objects) {
+    /// Returns whether there was anything to draw.
+    pub(super) fn draw(&self, unlit: &Program, lit: &Program, objects: Objects) -> bool {
         let gl = self.context.glow();
         let view_projection = self.view_projection.to_cols_array();
         let mut current = None;
@@ -166,8 +168,7 @@ impl<'c> Geometry<'c> {
                 gl.bind_vertex_array(Some(mesh.array));
                 for piece in run.pieces() {
                     // gl_PrimitiveID starts at 0 in every draw.
-                    let first_triangle = mesh.first_triangle + piece.first as u32 / 3;
-                    gl.uniform_1_u32(program.first_triangle.as_ref(), first_triangle);
+                    gl.uniform_1_u32(program.first_triangle.as_ref(), piece.place);
                     gl.draw_elements(
                         glow::TRIANGLES,
                         piece.count,
@@ -180,16 +181,12 @@ impl<'c> Geometry<'c> {
                 }
             }
         }
+        current.is_some()
     }
 }
 
 impl Uploaded {
-    fn new(
-        gl: &glow::Context,
-        mesh: &Mesh,
-        triangles: &[[u32; 3]],
-        first_triangle: u32,
-    ) -> Result<Self> {
+    fn new(gl: &glow::Context, mesh: &Mesh, triangles: &[[u32; 3]]) -> Result<Self> {
         if let Some(index) = mesh
             .triangles
             .iter()
@@ -259,9 +256,9 @@ impl Uploaded {
                 indices,
                 array,
                 opaque: mesh.opaque,
+                sorted: mesh.sorted,
                 shading: mesh.shading,
                 inside: mesh.inside,
-                first_triangle,
             })
         }
     }
@@ -271,6 +268,8 @@ impl Uploaded {
             Objects::Scene => true,
             Objects::Opaque => self.opaque,
             Objects::Transparent => !self.opaque,
+            Objects::Sorted => !self.opaque && self.sorted,
+            Objects::Unsorted => !self.opaque && !self.sorted,
             Objects::Screen => false,
         }
     }

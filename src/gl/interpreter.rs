@@ -6,7 +6,7 @@ use glow::HasContext;
 
 use super::constants::{blend_factor, capability, clear_bits, compare, error_name, stencil_op};
 use super::geometry::Geometry;
-use super::machine::GlMachine;
+use super::machine::{GlMachine, depth_attachment};
 use super::program::Linked;
 use crate::error::{Error, Result};
 use crate::steps::{Call, Machine, Map, Objects, Query, Shader};
@@ -149,7 +149,11 @@ impl GlMachine<'_> {
             }
             (
                 Linked::Surface { unlit, lit },
-                Objects::Scene | Objects::Opaque | Objects::Transparent,
+                Objects::Scene
+                | Objects::Opaque
+                | Objects::Transparent
+                | Objects::Sorted
+                | Objects::Unsorted,
             ) => {
                 let no_scene = || {
                     Error::usage(
@@ -157,11 +161,12 @@ impl GlMachine<'_> {
                         "set_geometry first",
                     )
                 };
-                self.geometry
+                let drawn = self
+                    .geometry
                     .as_ref()
                     .ok_or_else(no_scene)?
                     .draw(unlit, lit, objects);
-                if objects != Objects::Opaque {
+                if drawn && objects != Objects::Opaque {
                     self.counts.geometry_passes += 1;
                 }
             }
@@ -200,6 +205,13 @@ impl GlMachine<'_> {
                     blue,
                     alpha,
                 } => gl.color_mask(red, green, blue, alpha),
+                Call::ColorMaski {
+                    buf,
+                    red,
+                    green,
+                    blue,
+                    alpha,
+                } => gl.color_mask_draw_buffer(buf, red, green, blue, alpha),
                 Call::StencilMask { mask } => gl.stencil_mask(mask),
                 Call::StencilFunc {
                     func,
@@ -257,13 +269,12 @@ impl GlMachine<'_> {
                     );
                 }
                 Call::AttachDepth { texture } => {
-                    let raw = Some(self.texture(texture)?.raw);
-                    let attachment = glow::DEPTH_STENCIL_ATTACHMENT;
+                    let texture = self.texture(texture)?;
                     gl.framebuffer_texture_2d(
                         glow::FRAMEBUFFER,
-                        attachment,
+                        depth_attachment(Some(texture)),
                         glow::TEXTURE_2D,
-                        raw,
+                        Some(texture.raw),
                         0,
                     );
                 }

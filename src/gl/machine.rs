@@ -7,9 +7,9 @@ use glow::HasContext;
 use super::context::Context;
 use super::geometry::Geometry;
 use super::program::Linked;
-use super::texture::{Format, Texture};
+use super::texture::Texture;
 use crate::error::{Error, Result};
-use crate::steps::{Map, Query, Shader, Target};
+use crate::steps::{Format, Map, Query, Shader, Target, Workspace};
 
 /// Runs listings on OpenGL.
 ///
@@ -207,26 +207,48 @@ impl<'c> GlMachine<'c> {
     /// # Errors
     /// If a map is missing, or the driver does not take the combination.
     pub fn target(&mut self, target: Target, color: Option<Map>, depth: Option<Map>) -> Result<()> {
+        self.target_of(target, color.as_slice(), depth)
+    }
+
+    /// The same with as many color maps as there are, the first for the shaders' location 0.
+    ///
+    /// # Errors
+    /// As [`target`](Self::target).
+    pub fn target_of(&mut self, target: Target, colors: &[Map], depth: Option<Map>) -> Result<()> {
         self.bind_framebuffer(target)?;
         let gl = self.context.glow();
-        for (attachment, map) in [
-            (glow::COLOR_ATTACHMENT0, color),
-            (glow::DEPTH_STENCIL_ATTACHMENT, depth),
-        ] {
-            let raw = map
-                .map(|map| self.texture(map).map(|texture| texture.raw))
-                .transpose()?;
+        let texture = |map: Option<Map>| map.map(|map| self.texture(map)).transpose();
+        // Without any, the first is attached to nothing: the framebuffer may have had one before.
+        let attachments: Vec<u32> = (glow::COLOR_ATTACHMENT0..)
+            .take(colors.len().max(1))
+            .collect();
+        let depth_texture = texture(depth)?;
+        let depth_attachment = depth_attachment(depth_texture);
+        for (number, &attachment) in attachments.iter().enumerate() {
+            let raw = texture(colors.get(number).copied())?.map(|texture| texture.raw);
             // SAFETY: the framebuffer is bound, and the texture exists or is none.
             unsafe {
                 gl.framebuffer_texture_2d(glow::FRAMEBUFFER, attachment, glow::TEXTURE_2D, raw, 0)
             };
+        }
+        // SAFETY: as above; every attachment that is drawn to is one of at most eight.
+        unsafe {
+            let raw = depth_texture.map(|texture| texture.raw);
+            gl.framebuffer_texture_2d(
+                glow::FRAMEBUFFER,
+                depth_attachment,
+                glow::TEXTURE_2D,
+                raw,
+                0,
+            );
+            gl.draw_buffers(&attachments);
         }
         // SAFETY: the framebuffer is bound.
         match unsafe { gl.check_framebuffer_status(glow::FRAMEBUFFER) } {
             glow::FRAMEBUFFER_COMPLETE => Ok(()),
             // A framebuffer whose depth map is attached by the listing has nothing yet.
             glow::FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT
-                if color.is_none() && depth.is_none() =>
+                if colors.is_empty() && depth.is_none() =>
             {
                 Ok(())
             }
@@ -281,6 +303,14 @@ impl<'c> GlMachine<'c> {
         Ok(self.texture(map)?.read_depths(self.context.glow()))
     }
 
+    /// A depth map's stencil values, bottom row first; 0 where its format has none.
+    ///
+    /// # Errors
+    /// If there is no such map.
+    pub fn read_stencils(&self, map: Map) -> Result<Vec<u8>> {
+        Ok(self.texture(map)?.read_stencils(self.context.glow()))
+    }
+
     pub(super) fn texture(&self, map: Map) -> Result<Texture> {
         self.textures.get(&map).copied().ok_or_else(|| {
             Error::usage(
@@ -308,6 +338,24 @@ impl<'c> GlMachine<'c> {
         // SAFETY: the framebuffer is the machine's own.
         unsafe { gl.bind_framebuffer(glow::FRAMEBUFFER, Some(framebuffer)) };
         Ok(())
+    }
+}
+
+/// Where a depth map is attached: a format without stencil values takes the depth alone.
+pub(super) fn depth_attachment(texture: Option<Texture>) -> u32 {
+    match texture {
+        Some(texture) if !texture.format.has_stencil() => glow::DEPTH_ATTACHMENT,
+        _ => glow::DEPTH_STENCIL_ATTACHMENT,
+    }
+}
+
+impl Workspace for GlMachine<'_> {
+    fn allocate(&mut self, map: Map, format: Format) -> Result<()> {
+        self.allocate(map, format)
+    }
+
+    fn target_of(&mut self, target: Target, colors: &[Map], depth: Option<Map>) -> Result<()> {
+        self.target_of(target, colors, depth)
     }
 }
 

@@ -23,4 +23,6 @@ pub use context::{Backend, Context, ContextOptions, Profile};
 pub use driver::{Driver, Trap, WANTED_EXTENSIONS};
 pub use geometry::Geometry;
 pub use machine::{Counts, GlMachine};
-pub use texture::Format;
+
+// A map's format is part of the vocabulary.
+pub use crate::steps::Format;

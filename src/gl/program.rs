@@ -84,7 +84,17 @@ pub(super) enum Linked {
 }
 
 /// The shaders that draw [`Objects::Screen`]; all others draw surfaces.
-const ON_THE_SCREEN: [&str; 4] = ["layer", "over", "under", "trap"];
+const ON_THE_SCREEN: [&str; 9] = [
+    "clip/next_bound",
+    "ideal/begin",
+    "ideal/begin_as_printed",
+    "ideal/begin_tight",
+    "ideal/changed",
+    "layer",
+    "over",
+    "trap",
+    "under",
+];
 
 impl Linked {
     /// Links what the name stands for. The context is current.

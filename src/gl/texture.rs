@@ -3,41 +3,18 @@
 use glow::HasContext;
 
 use crate::error::{Error, Result};
+use crate::steps::Format;
 
-/// How a texture stores its texels.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Format {
-    /// Four bytes, each 0 to 1 in 256 steps.
-    Rgba8,
-    /// Four 16-bit floats.
-    Rgba16F,
-    /// Four 32-bit floats.
-    Rgba32F,
-    /// 32-bit float depth with 8 bits of stencil.
-    Depth32FStencil8,
-    /// 24-bit fixed-point depth with 8 bits of stencil. Sampled on llvmpipe it is not what was stored.
-    Depth24Stencil8,
-}
-
-impl Format {
-    /// GL's sized internal format.
-    pub(super) const fn internal(self) -> u32 {
-        match self {
-            Self::Rgba8 => glow::RGBA8,
-            Self::Rgba16F => glow::RGBA16F,
-            Self::Rgba32F => glow::RGBA32F,
-            Self::Depth32FStencil8 => glow::DEPTH32F_STENCIL8,
-            Self::Depth24Stencil8 => glow::DEPTH24_STENCIL8,
-        }
-    }
-
-    /// Bytes per texel, as GL counts them.
-    pub const fn bytes(self) -> u64 {
-        match self {
-            Self::Rgba8 | Self::Depth24Stencil8 => 4,
-            Self::Rgba16F | Self::Depth32FStencil8 => 8,
-            Self::Rgba32F => 16,
-        }
+/// GL's sized internal format.
+const fn internal(format: Format) -> u32 {
+    match format {
+        Format::Rgba8 => glow::RGBA8,
+        Format::Rgba16F => glow::RGBA16F,
+        Format::Rgba32F => glow::RGBA32F,
+        Format::R32F => glow::R32F,
+        Format::Depth32FStencil8 => glow::DEPTH32F_STENCIL8,
+        Format::Depth24Stencil8 => glow::DEPTH24_STENCIL8,
+        Format::Depth16 => glow::DEPTH_COMPONENT16,
     }
 }
 
@@ -66,7 +43,7 @@ impl Texture {
         let [width, height] = size.map(|side| side as i32);
         // SAFETY: the texture is bound, and its size is within the driver's limit, which the machine has checked.
         let error = bound(gl, raw, || unsafe {
-            gl.tex_storage_2d(glow::TEXTURE_2D, 1, format.internal(), width, height);
+            gl.tex_storage_2d(glow::TEXTURE_2D, 1, internal(format), width, height);
             gl.get_error()
         });
         if error == glow::NO_ERROR {
@@ -103,6 +80,15 @@ impl Texture {
             glow::FLOAT,
             bytemuck::cast_slice_mut(&mut texels),
         );
+        texels
+    }
+
+    /// A depth texture's stencil values, bottom row first; 0 where it has none.
+    pub(super) fn read_stencils(&self, gl: &glow::Context) -> Vec<u8> {
+        let mut texels = vec![0; (self.size[0] * self.size[1]) as usize];
+        if self.format.has_stencil() {
+            self.read(gl, glow::STENCIL_INDEX, glow::UNSIGNED_BYTE, &mut texels);
+        }
         texels
     }
 

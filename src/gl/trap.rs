@@ -4,9 +4,8 @@ use glow::HasContext;
 
 use super::driver::{LOST_ATOMICS, Trap};
 use super::machine::GlMachine;
-use super::texture::Format;
 use crate::error::{Error, Result};
-use crate::steps::{Call, Machine, Map, Objects, Shader, Target};
+use crate::steps::{Call, Format, Machine, Map, Objects, Shader, Target};
 
 const COLOR: Map = Map::named("trap color");
 const TARGET: Target = Target("trap");

@@ -1,16 +1,28 @@
 //! The methods: one file each, which reads like its paper, and the renderer that runs them.
 
+mod batches;
 mod blend;
+mod coherent_layer_peeling;
 mod depth_peeling;
 mod exact;
+mod hybrid_layer_peeling;
+mod ideal_coherent_layer_peeling;
+mod iteration_bound;
+mod layer_peeling;
 mod painter;
+mod peeled;
 mod registry;
 mod renderer;
+mod sorting;
 mod stats;
 
+pub use coherent_layer_peeling::{CoherentOptions, Variant};
 pub use depth_peeling::{Compositing, DepthPeelingOptions};
+pub use ideal_coherent_layer_peeling::IdealOptions;
+pub use layer_peeling::LayerPeelingOptions;
 pub use registry::{Entry, Method, registry};
 pub use renderer::{Frame, Layer, Renderer};
+pub use sorting::Sorting;
 pub use stats::{Peeling, Stats};
 
 use crate::error::Result;
@@ -55,4 +67,14 @@ enum Composited {
     Some(u64),
     /// The method cannot tell.
     Unknown,
+}
+
+impl Composited {
+    /// How many, as far as that is known.
+    fn count(self) -> u64 {
+        match self {
+            Self::Some(count) => count,
+            Self::All | Self::Unknown => 0,
+        }
+    }
 }

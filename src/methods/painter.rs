@@ -4,6 +4,7 @@
 //! (Carr et al. 2008, section 1: an object level approach).
 
 use super::blend::BLEND_IN_ORDER;
+use super::sorting::centroid_depth;
 use super::{Algorithm, Drawn};
 use crate::error::Result;
 use crate::gl::{Geometry, GlMachine};
@@ -37,18 +38,13 @@ impl Algorithm for Painter {
 /// Every triangle as mesh and number, the one with the farthest centroid along the view direction first; of equally
 /// far ones, the one submitted last, because the one submitted first lies in front.
 fn back_to_front(scene: &Scene) -> Vec<[u32; 2]> {
-    let forward = (scene.camera.target - scene.camera.eye).as_vec3();
     let mut keyed: Vec<(f32, [u32; 2])> = Vec::new();
     for (mesh_number, mesh) in scene.meshes.iter().enumerate() {
-        let depth = |corner: u32| mesh.vertices[corner as usize].position.dot(forward);
-        // Three times the centroid's depth; the factor does not change the order.
-        let keys = mesh
-            .triangles
-            .iter()
-            .map(|triangle| triangle.iter().map(|&corner| depth(corner)).sum());
+        let key = |triangle: &[u32; 3]| centroid_depth(scene, mesh, *triangle);
         keyed.extend(
-            keys.enumerate()
-                .map(|(number, key): (_, f32)| (key, [mesh_number as u32, number as u32])),
+            (0..)
+                .zip(mesh.triangles.iter().map(key))
+                .map(|(number, key)| (key, [mesh_number as u32, number])),
         );
     }
     keyed.reverse();

@@ -3,7 +3,11 @@
 use std::fmt;
 use std::str::FromStr;
 
+use super::coherent_layer_peeling::{CoherentOptions, Variant};
 use super::depth_peeling::DepthPeelingOptions;
+use super::ideal_coherent_layer_peeling::{self as ideal, IdealOptions};
+use super::layer_peeling::LayerPeelingOptions;
+use super::sorting::Sorting;
 use crate::error::{Error, Result};
 
 /// A method with its options.
@@ -16,6 +20,14 @@ pub enum Method {
     Painter,
     /// Depth peeling, Everitt 2001 and VTK.
     DepthPeeling(DepthPeelingOptions),
+    /// Layer peeling in two geometry passes an iteration, Carr et al. 2008.
+    LayerPeeling(LayerPeelingOptions),
+    /// Hybrid layer peeling, Carr et al. 2008, Algorithm 1.
+    HybridLayerPeeling(LayerPeelingOptions),
+    /// Coherent layer peeling, Carr et al. 2008, sections 5 and 6.
+    CoherentLayerPeeling(CoherentOptions),
+    /// Coherent layer peeling on an ideal GPU, Carr et al. 2008, Algorithm 2.
+    IdealCoherentLayerPeeling(IdealOptions),
     /// Every fragment captured, sorted and composited in f64.
     Exact,
 }
@@ -77,6 +89,55 @@ pub const fn registry() -> &'static [Entry] {
             needs: &[],
         },
         Entry {
+            name: "layer-peeling",
+            method: Method::LayerPeeling(LayerPeelingOptions { as_printed: false }),
+            source: "Carr et al. 2008, sections 1 and 8",
+            exact: true,
+            ties: "order of submission",
+            memory: "pixels",
+            needs: &[],
+        },
+        Entry {
+            name: "hybrid-layer-peeling",
+            method: Method::HybridLayerPeeling(LayerPeelingOptions { as_printed: false }),
+            source: "Carr et al. 2008, Algorithm 1",
+            exact: true,
+            ties: "unsorted meshes before sorted ones",
+            memory: "pixels, triangles",
+            needs: &[],
+        },
+        Entry {
+            name: "coherent-layer-peeling-a",
+            method: Method::CoherentLayerPeeling(COHERENT_A),
+            source: "Carr et al. 2008, section 5",
+            exact: true,
+            ties: "order of submission after sorting",
+            memory: "pixels, triangles",
+            needs: &[],
+        },
+        Entry {
+            name: "coherent-layer-peeling-b",
+            method: Method::CoherentLayerPeeling(COHERENT_B),
+            source: "Carr et al. 2008, section 6",
+            exact: true,
+            ties: "order of submission after sorting",
+            memory: "pixels, triangles",
+            needs: &[],
+        },
+        Entry {
+            name: "ideal-coherent-layer-peeling",
+            method: Method::IdealCoherentLayerPeeling(IdealOptions {
+                sorting: SORTING,
+                tight_bound: false,
+                as_printed: false,
+            }),
+            source: "Carr et al. 2008, Algorithm 2",
+            exact: true,
+            ties: "order of submission after sorting",
+            memory: "pixels, triangles",
+            needs: ideal::NEEDS,
+        },
+        Entry {
             name: "exact",
             method: Method::Exact,
             source: "the oracle",
@@ -88,21 +149,53 @@ pub const fn registry() -> &'static [Entry] {
     ]
 }
 
+const SORTING: Sorting = Sorting::Buckets(1024);
+
+const COHERENT_A: CoherentOptions = coherent(Variant::A);
+const COHERENT_B: CoherentOptions = coherent(Variant::B);
+
+const fn coherent(variant: Variant) -> CoherentOptions {
+    CoherentOptions {
+        variant,
+        sorting: SORTING,
+        tie_friendly: false,
+        stop_early: false,
+        batches: 0,
+        as_printed: false,
+        amendments: &[],
+    }
+}
+
 impl Method {
+    /// Its name in the registry.
+    pub const fn name(&self) -> &'static str {
+        match self {
+            Self::Blend => "blend",
+            Self::Painter => "painter",
+            Self::DepthPeeling(_) => "depth-peeling",
+            Self::LayerPeeling(_) => "layer-peeling",
+            Self::HybridLayerPeeling(_) => "hybrid-layer-peeling",
+            Self::CoherentLayerPeeling(options) => match options.variant {
+                Variant::A => "coherent-layer-peeling-a",
+                Variant::B => "coherent-layer-peeling-b",
+            },
+            Self::IdealCoherentLayerPeeling(_) => "ideal-coherent-layer-peeling",
+            Self::Exact => "exact",
+        }
+    }
+
     /// Its entry in the registry.
     pub fn entry(&self) -> &'static Entry {
-        let same =
-            |entry: &&Entry| std::mem::discriminant(&entry.method) == std::mem::discriminant(self);
         registry()
             .iter()
-            .find(same)
+            .find(|entry| entry.name == self.name())
             .expect("every method is in the registry")
     }
 }
 
 impl fmt::Display for Method {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.entry().name)
+        f.write_str(self.name())
     }
 }
 

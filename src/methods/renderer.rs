@@ -2,7 +2,12 @@
 
 use std::time::{Duration, Instant};
 
+use super::coherent_layer_peeling::CoherentLayerPeeling;
 use super::depth_peeling::DepthPeeling;
+use super::hybrid_layer_peeling::HybridLayerPeeling;
+use super::ideal_coherent_layer_peeling::IdealCoherentLayerPeeling;
+use super::layer_peeling::LayerPeeling;
+use super::peeled::Peeled;
 use super::{Algorithm, Composited, Drawn, Method, Stats, blend, exact, painter};
 use crate::error::Result;
 use crate::gl::{Context, Format, Geometry, GlMachine};
@@ -154,6 +159,23 @@ impl<'c> Renderer<'c> {
                 options: *options,
                 color: self.color,
                 depth: self.depth,
+            }),
+            Method::LayerPeeling(options) => Box::new(LayerPeeling {
+                options: Peeled::new(options.as_printed),
+                color: self.color,
+                depth: self.depth,
+            }),
+            Method::HybridLayerPeeling(options) => Box::new(HybridLayerPeeling {
+                options: Peeled::new(options.as_printed),
+                color: self.color,
+                depth: self.depth,
+            }),
+            Method::CoherentLayerPeeling(options) => {
+                Box::new(CoherentLayerPeeling::new(*options, self.color, self.depth))
+            }
+            Method::IdealCoherentLayerPeeling(options) => Box::new(IdealCoherentLayerPeeling {
+                options: *options,
+                peeled: Peeled::new(options.as_printed),
             }),
             Method::Exact => Box::new(exact::Exact),
         };

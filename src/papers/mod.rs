@@ -1,5 +1,6 @@
 //! The papers: their listings as data, what stands beside them, and what they claim. Nothing here runs by itself.
 
+pub mod carr_2008;
 pub mod everitt_2001;
 mod index;
 pub mod vtk;

@@ -2,31 +2,35 @@
 
 use super::listing::Step;
 
-/// The smallest change that makes a printed listing right, or that adds what another text adds.
+/// The smallest change that makes a printed listing right, or that adds what another text adds. Of a listing by default,
+/// of an algorithm in pseudocode if its statements are [`Line`](super::pseudo::Line)s.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Amendment {
+pub struct Amendment<S: 'static = Step> {
     /// A short name: the claim's or the erratum's key.
     pub key: &'static str,
     /// Where the change is made, in the paper's words.
     pub place: &'static str,
     /// The steps as printed, consecutive; replaced wherever the listing has them.
-    pub printed: &'static [Step],
+    pub printed: &'static [S],
     /// What stands there instead.
-    pub amended: &'static [Step],
+    pub amended: &'static [S],
     /// Why.
     pub why: &'static str,
     /// The test that fails without it.
     pub test: &'static str,
 }
 
-impl Amendment {
-    /// The amendment that applies at the head of `steps`, if there is one.
-    pub(super) fn at<'a>(amendments: &'a [Self], steps: &[Step]) -> Option<&'a Self> {
-        amendments
-            .iter()
-            .find(|amendment| !amendment.printed.is_empty() && steps.starts_with(amendment.printed))
+impl<S: PartialEq> Amendment<S> {
+    /// The amendment that applies at the head of `statements`, if there is one.
+    pub fn at<'a>(amendments: &'a [Self], statements: &[S]) -> Option<&'a Self> {
+        let printed_here = |amendment: &&Self| {
+            !amendment.printed.is_empty() && statements.starts_with(amendment.printed)
+        };
+        amendments.iter().find(printed_here)
     }
+}
 
+impl Amendment {
     /// How often `steps` have what this amendment replaces, nested steps included. An amendment that is found nowhere
     /// changes nothing, so tests ask.
     pub fn occurrences(&self, steps: &[Step]) -> usize {

@@ -147,6 +147,10 @@ pub enum Objects {
     Opaque,
     /// What is not.
     Transparent,
+    /// What is not opaque, of meshes whose triangles are exactly sorted.
+    Sorted,
+    /// What is not opaque, of all other meshes.
+    Unsorted,
     /// Two triangles over the whole viewport.
     Screen,
 }
@@ -183,6 +187,14 @@ pub enum Call {
         flag: bool,
     },
     ColorMask {
+        red: bool,
+        green: bool,
+        blue: bool,
+        alpha: bool,
+    },
+    /// `glColorMask` for one of several color maps.
+    ColorMaski {
+        buf: u32,
         red: bool,
         green: bool,
         blue: bool,

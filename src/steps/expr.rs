@@ -79,7 +79,7 @@ impl Compare {
     }
 
     /// As C writes it.
-    fn operator(self) -> &'static str {
+    pub(super) fn operator(self) -> &'static str {
         match self {
             Self::Never => "never",
             Self::Less => "<",

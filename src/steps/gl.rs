@@ -30,6 +30,8 @@ pub const ONE: BlendFactor = BlendFactor::One;
 pub const SRC_ALPHA: BlendFactor = BlendFactor::SrcAlpha;
 pub const ONE_MINUS_SRC_ALPHA: BlendFactor = BlendFactor::OneMinusSrcAlpha;
 pub const DST_ALPHA: BlendFactor = BlendFactor::DstAlpha;
+/// Carr et al.'s name for it.
+pub const DEST_ALPHA: BlendFactor = BlendFactor::DstAlpha;
 pub const ONE_MINUS_DST_ALPHA: BlendFactor = BlendFactor::OneMinusDstAlpha;
 
 pub const DEPTH_TEST: Capability = Capability::DepthTest;
@@ -103,6 +105,16 @@ pub const fn glDepthMask(flag: bool) -> Step {
 
 pub const fn glColorMask(red: bool, green: bool, blue: bool, alpha: bool) -> Step {
     Step::Call(Call::ColorMask {
+        red,
+        green,
+        blue,
+        alpha,
+    })
+}
+
+pub const fn glColorMaski(buf: u32, red: bool, green: bool, blue: bool, alpha: bool) -> Step {
+    Step::Call(Call::ColorMaski {
+        buf,
         red,
         green,
         blue,
@@ -197,6 +209,20 @@ pub const fn swap(a: Map, b: Map) -> Step {
 pub const fn drawTransparentObjects() -> Step {
     Step::Call(Call::Draw {
         objects: Objects::Transparent,
+    })
+}
+
+/// Of what is not opaque, the meshes whose triangles are exactly sorted, front to back.
+pub const fn drawSortedObjects() -> Step {
+    Step::Call(Call::Draw {
+        objects: Objects::Sorted,
+    })
+}
+
+/// Of what is not opaque, all other meshes.
+pub const fn drawUnsortedObjects() -> Step {
+    Step::Call(Call::Draw {
+        objects: Objects::Unsorted,
     })
 }
 

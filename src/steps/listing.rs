@@ -99,6 +99,8 @@ pub enum Reason {
     OcclusionRatio,
     /// The maximum number of peels was reached.
     PeelLimit,
+    /// It went on for more iterations than a right algorithm can need: it would never have ended.
+    NoEnd,
 }
 
 impl std::fmt::Display for Reason {
@@ -107,6 +109,7 @@ impl std::fmt::Display for Reason {
             Self::EmptyLayer => "empty layer",
             Self::OcclusionRatio => "occlusion ratio",
             Self::PeelLimit => "peel limit",
+            Self::NoEnd => "no end: more iterations than surfaces at any pixel",
         })
     }
 }

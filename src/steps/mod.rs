@@ -26,10 +26,12 @@ mod call;
 mod depth_units;
 mod diff;
 mod expr;
+mod format;
 pub mod gl;
 mod listing;
 mod macros;
 pub mod print;
+pub mod pseudo;
 mod trace;
 mod walk;
 
@@ -41,6 +43,7 @@ pub use call::{
 pub use depth_units::DepthUnits;
 pub use diff::diff;
 pub use expr::{Condition, Expr, Variables};
+pub use format::Format;
 pub use listing::{Dialect, Listing, Reason, Step};
 pub use trace::Recorder;
-pub use walk::{Machine, Outcome, run};
+pub use walk::{Machine, Outcome, Workspace, run};

@@ -248,6 +248,20 @@ fn signature(call: &Call) -> (&'static str, Vec<(&'static str, String)>) {
             "blue" = bool(blue),
             "alpha" = bool(alpha)
         ),
+        Call::ColorMaski {
+            buf,
+            red,
+            green,
+            blue,
+            alpha,
+        } => call!(
+            "glColorMaski",
+            "buf" = buf,
+            "red" = bool(red),
+            "green" = bool(green),
+            "blue" = bool(blue),
+            "alpha" = bool(alpha)
+        ),
         Call::StencilMask { mask } => call!("glStencilMask", "mask" = format!("0x{mask:02X}")),
         Call::StencilFunc {
             func,
@@ -335,6 +349,12 @@ fn signature(call: &Call) -> (&'static str, Vec<(&'static str, String)>) {
         Call::Draw {
             objects: Objects::Transparent,
         } => call!("drawTransparentObjects"),
+        Call::Draw {
+            objects: Objects::Sorted,
+        } => call!("drawSortedObjects"),
+        Call::Draw {
+            objects: Objects::Unsorted,
+        } => call!("drawUnsortedObjects"),
         Call::Draw {
             objects: Objects::Screen,
         } => call!("drawScreen"),

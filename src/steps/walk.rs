@@ -1,8 +1,9 @@
 //! Walking a listing: evaluates what is computed, resolves what is named, and hands the calls to a machine.
 
 use super::amend::Amendment;
-use super::call::{Call, Index, Map, Query};
+use super::call::{Call, Index, Map, Query, Target};
 use super::expr::{Condition, Expr, Variables};
+use super::format::Format;
 use super::listing::{Listing, Reason, Step};
 use crate::error::{Error, Result};
 
@@ -19,6 +20,21 @@ pub trait Machine {
     /// # Errors
     /// If the query has never been made.
     fn samples(&mut self, query: Query) -> Result<u64>;
+}
+
+/// A machine that a method can furnish: with maps, and with framebuffers that draw into them.
+pub trait Workspace: Machine {
+    /// Makes a map of the image's size, unless it is there in this format.
+    ///
+    /// # Errors
+    /// If there is no room.
+    fn allocate(&mut self, map: Map, format: Format) -> Result<()>;
+
+    /// Makes a framebuffer that draws into these maps, the first color for the shaders' location 0.
+    ///
+    /// # Errors
+    /// If a map is missing, or the combination is not possible.
+    fn target_of(&mut self, target: Target, colors: &[Map], depth: Option<Map>) -> Result<()>;
 }
 
 /// What a listing leaves behind, besides what the machine shows.

@@ -1,0 +1,14 @@
+#version 430 core
+// What lies at the upper bound, whatever bounds it.
+
+#include "common/clip.glsl"
+
+out vec4 color;
+
+void main() {
+    float z = gl_FragCoord.z;
+    if (!(z == upper_bound())) {
+        discard;
+    }
+    color = premultiplied_color();
+}

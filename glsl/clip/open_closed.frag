@@ -1,0 +1,14 @@
+#version 430 core
+// What lies between the bounds or at the upper one: (lower, upper].
+
+#include "common/clip.glsl"
+
+out vec4 color;
+
+void main() {
+    float z = gl_FragCoord.z;
+    if (!(lower_bound() < z && z <= upper_bound())) {
+        discard;
+    }
+    color = premultiplied_color();
+}

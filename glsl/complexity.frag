@@ -1,0 +1,10 @@
+#version 430 core
+// One for each fragment, to be added up by blending.
+
+vec4 surface_color();    // surface/unlit.frag or surface/lit.frag: it completes the program, and is not asked
+
+out vec4 color;
+
+void main() {
+    color = vec4(1.0);
+}

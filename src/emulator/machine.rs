@@ -1,0 +1,492 @@
+//! The machine: pixels, maps, framebuffers, and what each call does to them.
+
+use std::collections::HashMap;
+
+use super::record::{Draw, Fate, Outcome, Record};
+use super::shaders::{Inputs, twin};
+use super::stages;
+use super::state::State;
+use super::{color, depth};
+use crate::error::{Error, Result};
+use crate::fragment::{Fragment, Rgba};
+use crate::steps::{Call, Format, Machine, Map, Objects, Query, Shader, Target, Workspace};
+
+/// Among what a surface is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// Opaque geometry.
+    Opaque,
+    /// Transparent geometry whose triangles are exactly sorted.
+    Sorted,
+    /// All other transparent geometry.
+    Unsorted,
+}
+
+impl Kind {
+    /// Whether a draw of these objects draws it. What covers the screen is nobody's.
+    pub(super) fn is_among(self, objects: Objects) -> bool {
+        match objects {
+            Objects::Scene => true,
+            Objects::Opaque => self == Self::Opaque,
+            Objects::Transparent => self != Self::Opaque,
+            Objects::Sorted => self == Self::Sorted,
+            Objects::Unsorted => self == Self::Unsorted,
+            Objects::Screen => false,
+        }
+    }
+}
+
+/// A surface at a pixel.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Surface {
+    /// Colour (straight alpha), depth, and place in the order of submission.
+    pub fragment: Fragment,
+    /// Among what it is drawn.
+    pub kind: Kind,
+}
+
+/// Runs listings on pixels whose surfaces are given. Maps and framebuffers are made as on the GL machine.
+#[derive(Debug)]
+pub struct Emulator {
+    /// Each pixel's surfaces in the order of submission.
+    pixels: Vec<Vec<Surface>>,
+    state: State,
+    planes: Vec<Plane>,
+    names: HashMap<Map, usize>,
+    targets: HashMap<Target, Attached>,
+    bound: [Option<usize>; 16],
+    active_texture: usize,
+    target: Option<Target>,
+    program: Option<Shader>,
+    queries: HashMap<Query, u64>,
+    counting: Option<Query>,
+    composited: Vec<Vec<u32>>,
+    watched: Option<usize>,
+    record: Record,
+}
+
+/// A map's texels, one a pixel.
+#[derive(Clone, Debug)]
+struct Plane {
+    format: Format,
+    /// Of a color map, with all channels that its format lacks at 0.
+    colors: Vec<[f32; 4]>,
+    /// Of a depth map, as the depth format stores them.
+    depths: Vec<f32>,
+    stencils: Vec<u8>,
+}
+
+/// What a framebuffer draws into.
+#[derive(Clone, Copy, Debug, Default)]
+struct Attached {
+    color: Option<usize>,
+    depth: Option<usize>,
+}
+
+/// Window depth of what is drawn over the screen: its vertices are at z = 0 in clip space.
+const SCREEN_DEPTH: f32 = 0.5;
+
+impl Emulator {
+    /// A machine for pixels with these surfaces, each pixel's in the order of submission. GL's initial state.
+    pub fn new(pixels: Vec<Vec<Surface>>) -> Self {
+        Self {
+            composited: vec![Vec::new(); pixels.len()],
+            pixels,
+            state: State::INITIAL,
+            planes: Vec::new(),
+            names: HashMap::new(),
+            targets: HashMap::new(),
+            bound: [None; 16],
+            active_texture: 0,
+            target: None,
+            program: None,
+            queries: HashMap::new(),
+            counting: None,
+            watched: None,
+            record: Record::default(),
+        }
+    }
+
+    /// The same, writing down what becomes of every surface of one pixel.
+    ///
+    /// # Panics
+    /// If there is no such pixel.
+    #[must_use]
+    pub fn watching(mut self, pixel: usize) -> Self {
+        assert!(pixel < self.pixels.len(), "there is no pixel {pixel}");
+        self.watched = Some(pixel);
+        self
+    }
+
+    /// What became of the watched pixel's surfaces so far.
+    pub fn record(&self) -> &Record {
+        &self.record
+    }
+
+    /// For each pixel the surfaces that were blended into a color map, by their order of submission, as they were.
+    pub fn composited(&self) -> &[Vec<u32>] {
+        &self.composited
+    }
+
+    /// A color map's texels.
+    ///
+    /// # Errors
+    /// If there is no such map.
+    pub fn colors(&self, map: Map) -> Result<&[[f32; 4]]> {
+        Ok(&self.planes[self.plane(map)?].colors)
+    }
+
+    /// A depth map's depths as its format stores them: raw integers for fixed point.
+    ///
+    /// # Errors
+    /// If there is no such map.
+    pub fn depths(&self, map: Map) -> Result<&[f32]> {
+        Ok(&self.planes[self.plane(map)?].depths)
+    }
+
+    /// A depth map's stencil values.
+    ///
+    /// # Errors
+    /// If there is no such map.
+    pub fn stencils(&self, map: Map) -> Result<&[u8]> {
+        Ok(&self.planes[self.plane(map)?].stencils)
+    }
+
+    fn plane(&self, map: Map) -> Result<usize> {
+        self.names.get(&map).copied().ok_or_else(|| {
+            Error::usage(
+                format!("the listing names the map '{map}', which does not exist"),
+                "allocate it first",
+            )
+        })
+    }
+
+    fn attached(&self) -> Result<Attached> {
+        let target = self.target.ok_or_else(|| {
+            Error::usage(
+                "the listing draws or clears before it chooses a framebuffer",
+                "glBindFramebuffer comes first",
+            )
+        })?;
+        Ok(self.targets.get(&target).copied().unwrap_or_default())
+    }
+
+    fn clear(&mut self, mask: crate::steps::Buffers) -> Result<()> {
+        let Attached {
+            color: color_plane,
+            depth: depth_plane,
+        } = self.attached()?;
+        let state = self.state;
+        if let (true, Some(plane)) = (mask.color, color_plane) {
+            let plane = &mut self.planes[plane];
+            let cleared = state.clear_color.map(|c| color::stored(plane.format, c));
+            for texel in &mut plane.colors {
+                write_masked(texel, cleared, state.color_mask);
+            }
+        }
+        let Some(plane) = depth_plane else {
+            return Ok(());
+        };
+        let plane = &mut self.planes[plane];
+        if mask.depth && state.depth_mask {
+            let cleared = depth::stored(plane.format, state.clear_depth as f32);
+            plane.depths.fill(cleared);
+        }
+        if mask.stencil && plane.format.has_stencil() {
+            let mask = state.stencil_mask as u8;
+            for stencil in &mut plane.stencils {
+                *stencil = (*stencil & !mask) | (state.clear_stencil as u8 & mask);
+            }
+        }
+        Ok(())
+    }
+
+    fn draw(&mut self, objects: Objects) -> Result<()> {
+        let program = self.program.ok_or_else(|| {
+            Error::usage(
+                "the listing draws before it chooses a program",
+                "glUseProgram comes first",
+            )
+        })?;
+        let shader = twin(program)?;
+        let attached = self.attached()?;
+        for pixel in 0..self.pixels.len() {
+            let watched = self.watched == Some(pixel) && objects != Objects::Screen;
+            let mut fates = Vec::new();
+            let surfaces = match objects {
+                Objects::Screen => &[SCREEN],
+                _ => &self.pixels[pixel][..],
+            };
+            for surface in surfaces {
+                if objects != Objects::Screen && !surface.kind.is_among(objects) {
+                    continue;
+                }
+                let texel = |unit: u32| texel(&self.planes, self.bound[unit as usize], pixel);
+                let shadow = |reference| self.state.compare_func.holds(reference, texel(0)[0]);
+                let inputs = Inputs {
+                    fragment: surface.fragment,
+                    texel: &texel,
+                    shadow: &shadow,
+                };
+                let mut place = Place::at(&self.planes, attached, pixel);
+                let before = place;
+                let outcome = match shader(&inputs) {
+                    None => Outcome::Discarded,
+                    Some(kept) => {
+                        let z = kept.depth.unwrap_or(surface.fragment.depth);
+                        place.send(&self.state, z, kept.color)
+                    }
+                };
+                place.write(&mut self.planes, attached, pixel);
+                if outcome == Outcome::Pass {
+                    if let Some(query) = self.counting {
+                        *self.queries.entry(query).or_default() += 1;
+                    }
+                    let drawn_under =
+                        self.state.blend.is_some() && self.state.color_mask == [true; 4];
+                    if drawn_under && attached.color.is_some() && objects != Objects::Screen {
+                        self.composited[pixel].push(surface.fragment.order);
+                    }
+                }
+                if watched {
+                    fates.push(Fate {
+                        order: surface.fragment.order,
+                        depth: surface.fragment.depth,
+                        outcome,
+                        stencil: [before.stencil, place.stencil],
+                        stored_depth: [before.depth, place.depth],
+                        color: [before.color, place.color],
+                    });
+                }
+            }
+            if watched {
+                let place = Place::at(&self.planes, attached, pixel);
+                self.record.draws.push(Draw {
+                    program: program.0,
+                    fates,
+                    left: (place.stencil, place.depth),
+                });
+            }
+        }
+        Ok(())
+    }
+
+    fn allocate_plane(&mut self, format: Format) -> usize {
+        let count = self.pixels.len();
+        let (colors, depths) = match format.has_depth() {
+            true => (0, count),
+            false => (count, 0),
+        };
+        self.planes.push(Plane {
+            format,
+            colors: vec![[0.0; 4]; colors],
+            depths: vec![0.0; depths],
+            stencils: vec![0; depths],
+        });
+        self.planes.len() - 1
+    }
+
+    fn copy(&mut self, from: Map, to: Map) -> Result<()> {
+        let source = self.planes[self.plane(from)?].clone();
+        self.allocate(to, source.format)?;
+        let destination = self.plane(to)?;
+        self.planes[destination] = source;
+        Ok(())
+    }
+
+    fn target_mut(&mut self) -> Result<&mut Attached> {
+        self.attached()?;
+        let target = self.target.expect("attached() has seen it");
+        Ok(self.targets.entry(target).or_default())
+    }
+}
+
+/// What is drawn over the screen, at one pixel.
+const SCREEN: Surface = Surface {
+    fragment: Fragment {
+        depth: SCREEN_DEPTH,
+        color: Rgba::new(0.0, 0.0, 0.0, 0.0),
+        order: 0,
+    },
+    kind: Kind::Unsorted,
+};
+
+/// What a lookup reads; an unbound unit reads nothing.
+fn texel(planes: &[Plane], bound: Option<usize>, pixel: usize) -> [f32; 4] {
+    let Some(plane) = bound.map(|plane| &planes[plane]) else {
+        return [0.0; 4];
+    };
+    match plane.format.has_depth() {
+        true => {
+            let depth = depth::sampled_by_llvmpipe(plane.format, plane.depths[pixel]);
+            [depth, 0.0, 0.0, 1.0]
+        }
+        false => plane.colors[pixel],
+    }
+}
+
+fn write_masked(texel: &mut [f32; 4], new: [f32; 4], mask: [bool; 4]) {
+    for ((texel, new), mask) in texel.iter_mut().zip(new).zip(mask) {
+        if mask {
+            *texel = new;
+        }
+    }
+}
+
+/// One pixel of a framebuffer: what a fragment finds, and what it leaves.
+#[derive(Clone, Copy)]
+struct Place {
+    depth_format: Option<Format>,
+    depth: f32,
+    stencil: u8,
+    color_format: Option<Format>,
+    color: [f32; 4],
+}
+
+impl Place {
+    fn at(planes: &[Plane], attached: Attached, pixel: usize) -> Self {
+        let depth = attached.depth.map(|plane| &planes[plane]);
+        let color = attached.color.map(|plane| &planes[plane]);
+        Self {
+            depth_format: depth.map(|plane| plane.format),
+            depth: depth.map_or(1.0, |plane| plane.depths[pixel]),
+            stencil: depth.map_or(0, |plane| plane.stencils[pixel]),
+            color_format: color.map(|plane| plane.format),
+            color: color.map_or([0.0; 4], |plane| plane.colors[pixel]),
+        }
+    }
+
+    /// Sends a fragment through the stages.
+    fn send(&mut self, state: &State, z: f32, source: [f32; 4]) -> Outcome {
+        let stencil_test = state
+            .stencil_test
+            .filter(|_| self.depth_format.is_some_and(Format::has_stencil));
+        let stencil = self.stencil;
+        let stencil_after = |op| match &stencil_test {
+            Some(test) => stages::stencil_op(op, test, state.stencil_mask, stencil),
+            None => stencil,
+        };
+        // Stencil test.
+        if stencil_test.is_some_and(|test| !stages::stencil_test(&test, stencil)) {
+            self.stencil = stencil_after(state.stencil_ops.sfail);
+            return Outcome::StencilFail;
+        }
+        // Depth test.
+        let depth_test = state.depth_test && self.depth_format.is_some();
+        let z = self
+            .depth_format
+            .map_or(z, |format| depth::stored(format, z));
+        if depth_test && !state.depth_func.holds(z, self.depth) {
+            self.stencil = stencil_after(state.stencil_ops.dpfail);
+            return Outcome::DepthFail;
+        }
+        self.stencil = stencil_after(state.stencil_ops.dppass);
+        // Writing. Without a depth test nothing is written to the depth buffer either.
+        if depth_test && state.depth_mask {
+            self.depth = z;
+        }
+        if let Some(format) = self.color_format {
+            let source = source.map(|channel| color::blended(format, channel));
+            let new = match &state.blend {
+                Some(blend) => stages::blend(blend, source, self.color),
+                None => source,
+            };
+            let new = new.map(|channel| color::stored(format, channel));
+            write_masked(&mut self.color, new, state.color_mask);
+        }
+        Outcome::Pass
+    }
+
+    fn write(self, planes: &mut [Plane], attached: Attached, pixel: usize) {
+        if let Some(plane) = attached.depth {
+            planes[plane].depths[pixel] = self.depth;
+            planes[plane].stencils[pixel] = self.stencil;
+        }
+        if let Some(plane) = attached.color {
+            planes[plane].colors[pixel] = self.color;
+        }
+    }
+}
+
+impl Machine for Emulator {
+    fn perform(&mut self, call: &Call) -> Result<()> {
+        if self.state.set(call) {
+            return Ok(());
+        }
+        match *call {
+            Call::Clear { mask } => self.clear(mask)?,
+            Call::ActiveTexture { unit } if (unit as usize) < self.bound.len() => {
+                self.active_texture = unit as usize;
+            }
+            Call::BindTexture { texture } => {
+                self.bound[self.active_texture] = Some(self.plane(texture)?);
+            }
+            Call::UseProgram { program } => {
+                twin(program)?;
+                self.program = Some(program);
+            }
+            Call::BindFramebuffer { framebuffer } => self.target = Some(framebuffer),
+            Call::AttachColor { texture } => {
+                let plane = self.plane(texture)?;
+                self.target_mut()?.color = Some(plane);
+            }
+            Call::AttachDepth { texture } => {
+                let plane = self.plane(texture)?;
+                self.target_mut()?.depth = Some(plane);
+            }
+            Call::BeginQuery { query } => {
+                self.queries.insert(query, 0);
+                self.counting = Some(query);
+            }
+            Call::EndQuery { .. } => self.counting = None,
+            Call::CopyImage { from, to } => self.copy(from, to)?,
+            Call::Swap { a, b } => {
+                let (of_a, of_b) = (self.plane(a)?, self.plane(b)?);
+                self.names.insert(a, of_b);
+                self.names.insert(b, of_a);
+            }
+            Call::Draw { objects } => self.draw(objects)?,
+            _ => {
+                return Err(Error::usage(
+                    format!("the emulated pixel cannot perform {call}"),
+                    "its module says what it leaves out",
+                ));
+            }
+        }
+        Ok(())
+    }
+
+    fn samples(&mut self, query: Query) -> Result<u64> {
+        self.queries.get(&query).copied().ok_or_else(|| {
+            let what = format!("the listing asks the query '{}' before it is made", query.0);
+            Error::usage(what, "glBeginQuery and glEndQuery come first")
+        })
+    }
+}
+
+impl Workspace for Emulator {
+    fn allocate(&mut self, map: Map, format: Format) -> Result<()> {
+        let same = |&plane: &usize| self.planes[plane].format == format;
+        if self.names.get(&map).is_none_or(|plane| !same(plane)) {
+            let plane = self.allocate_plane(format);
+            self.names.insert(map, plane);
+        }
+        Ok(())
+    }
+
+    fn target_of(&mut self, target: Target, colors: &[Map], depth: Option<Map>) -> Result<()> {
+        let color = match colors {
+            [] => None,
+            [color] => Some(self.plane(*color)?),
+            _ => {
+                return Err(Error::usage(
+                    "the emulated pixel draws into one color map at a time",
+                    "algorithms that need several run as pseudocode",
+                ));
+            }
+        };
+        let depth = depth.map(|map| self.plane(map)).transpose()?;
+        self.targets.insert(target, Attached { color, depth });
+        Ok(())
+    }
+}

@@ -1,0 +1,233 @@
+//! Pseudocode on the emulated pixels: every line does what it says.
+
+use super::machine::{Kind, Surface};
+use crate::error::{Error, Result};
+use crate::fragment::Fragment;
+use crate::steps::pseudo::{Algorithm, Line, Test, Value};
+use crate::steps::{Amendment, Compare};
+
+/// What an algorithm did.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AlgorithmRun {
+    /// For each pixel the transparent surfaces that were composited, by their order of submission, as they were.
+    pub composited: Vec<Vec<u32>>,
+    /// Rounds of its `while`.
+    pub iterations: u32,
+    /// Passes over transparent geometry of which there was any.
+    pub geometry_passes: u32,
+    /// Whether the `while` ended by itself; otherwise it was left after the limit.
+    pub ended: bool,
+}
+
+/// Runs an algorithm on pixels with these surfaces. `zNear` is 0; `zOpaque` is the depth of the nearest opaque surface, 1
+/// where there is none. Its `while` is left after `limit` rounds.
+///
+/// # Errors
+/// If it reads a variable that it has not set.
+pub fn run_algorithm(
+    algorithm: &Algorithm,
+    amendments: &[Amendment<Line>],
+    pixels: &[Vec<Surface>],
+    limit: u32,
+) -> Result<AlgorithmRun> {
+    let mut run = Run {
+        pixels,
+        names: vec!["zNear", "zOpaque", FRAGMENT],
+        values: pixels
+            .iter()
+            .map(|surfaces| vec![0.0, opaque_depth(surfaces), f32::NAN])
+            .collect(),
+        changed: false,
+        limit,
+        done: AlgorithmRun {
+            composited: vec![Vec::new(); pixels.len()],
+            iterations: 0,
+            geometry_passes: 0,
+            ended: true,
+        },
+    };
+    run.lines(algorithm.lines, amendments, Here::Nowhere)?;
+    Ok(run.done)
+}
+
+/// The fragment's own depth.
+const FRAGMENT: &str = "zFragment";
+/// The one variable that is not a pixel's own.
+const CHANGED: &str = "gChanged";
+
+fn opaque_depth(surfaces: &[Surface]) -> f32 {
+    surfaces
+        .iter()
+        .filter(|surface| surface.kind == Kind::Opaque)
+        .map(|surface| surface.fragment.depth)
+        .fold(1.0, f32::min)
+}
+
+struct Run<'a> {
+    pixels: &'a [Vec<Surface>],
+    names: Vec<&'static str>,
+    /// Per pixel, in the order of the names.
+    values: Vec<Vec<f32>>,
+    changed: bool,
+    limit: u32,
+    done: AlgorithmRun,
+}
+
+/// Where a line is executed.
+#[derive(Clone, Copy)]
+enum Here<'a> {
+    Nowhere,
+    Pixel(usize),
+    Fragment(usize, &'a Fragment),
+}
+
+impl<'a> Run<'a> {
+    fn lines(
+        &mut self,
+        mut lines: &[Line],
+        amendments: &[Amendment<Line>],
+        here: Here<'a>,
+    ) -> Result<()> {
+        while let Some((line, rest)) = lines.split_first() {
+            match Amendment::at(amendments, lines) {
+                Some(amendment) => {
+                    lines = &lines[amendment.printed.len()..];
+                    self.lines(amendment.amended, &[], here)?;
+                }
+                None => {
+                    lines = rest;
+                    self.line(line, amendments, here)?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn line(&mut self, line: &Line, amendments: &[Amendment<Line>], here: Here<'a>) -> Result<()> {
+        match *line {
+            Line::Pixels(body) => {
+                for pixel in 0..self.pixels.len() {
+                    self.lines(body, amendments, Here::Pixel(pixel))?;
+                }
+            }
+            Line::Fragments { of, body, .. } => {
+                let mut any = false;
+                for pixel in 0..self.pixels.len() {
+                    for surface in &self.pixels[pixel] {
+                        if surface.kind.is_among(of) {
+                            any = true;
+                            self.set_of(pixel, FRAGMENT, surface.fragment.depth);
+                            self.lines(body, amendments, Here::Fragment(pixel, &surface.fragment))?;
+                        }
+                    }
+                }
+                self.done.geometry_passes += u32::from(any);
+            }
+            Line::While { flag, body } => {
+                while self.get(flag, here)? != 0.0 {
+                    if self.done.iterations == self.limit {
+                        self.done.ended = false;
+                        break;
+                    }
+                    self.done.iterations += 1;
+                    self.lines(body, amendments, here)?;
+                }
+            }
+            Line::If {
+                test,
+                then,
+                otherwise,
+            } => {
+                let branch = if self.holds(test, here)? {
+                    then
+                } else {
+                    otherwise
+                };
+                self.lines(branch, amendments, here)?;
+            }
+            Line::Set { variable, value } => {
+                let value = self.value(value, here)?;
+                self.set(variable, value, here);
+            }
+            Line::Swap(a, b) => {
+                for pixel in 0..self.pixels.len() {
+                    let here = Here::Pixel(pixel);
+                    let (of_a, of_b) = (self.get(a, here)?, self.get(b, here)?);
+                    self.set(a, of_b, here);
+                    self.set(b, of_a, here);
+                }
+            }
+            Line::Composite => {
+                if let Here::Fragment(pixel, fragment) = here {
+                    self.done.composited[pixel].push(fragment.order);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn holds(&self, test: Test, here: Here<'_>) -> Result<bool> {
+        let one =
+            |a, compare: Compare, b| Ok(compare.holds(self.get(a, here)?, self.get(b, here)?));
+        match test {
+            Test::One(a, compare, b) => one(a, compare, b),
+            Test::Two(a, ab, b, bc, c) => Ok(one(a, ab, b)? && one(b, bc, c)?),
+            Test::Both((a, ab, b), (c, cd, d)) => Ok(one(a, ab, b)? && one(c, cd, d)?),
+            Test::Set(flag) => Ok(self.get(flag, here)? != 0.0),
+        }
+    }
+
+    fn value(&self, value: Value, here: Here<'_>) -> Result<f32> {
+        Ok(match value {
+            Value::Of(variable) => self.get(variable, here)?,
+            Value::Flag(flag) => f32::from(u8::from(flag)),
+            Value::BeforeEverything => -1.0,
+            Value::Either(flag, a, b) => {
+                let chosen = if self.get(flag, here)? != 0.0 { a } else { b };
+                self.get(chosen, here)?
+            }
+        })
+    }
+
+    fn get(&self, variable: &'static str, here: Here<'_>) -> Result<f32> {
+        let unset = || {
+            Error::usage(
+                format!("the algorithm reads {variable} before it is set"),
+                "set it for all pixels first",
+            )
+        };
+        if variable == CHANGED {
+            return Ok(f32::from(u8::from(self.changed)));
+        }
+        let (Here::Pixel(pixel) | Here::Fragment(pixel, _)) = here else {
+            return Err(unset());
+        };
+        let place = self
+            .names
+            .iter()
+            .position(|name| *name == variable)
+            .ok_or_else(unset)?;
+        self.values[pixel].get(place).copied().ok_or_else(unset)
+    }
+
+    fn set(&mut self, variable: &'static str, value: f32, here: Here<'_>) {
+        if variable == CHANGED {
+            self.changed = value != 0.0;
+        } else if let Here::Pixel(pixel) | Here::Fragment(pixel, _) = here {
+            self.set_of(pixel, variable, value);
+        }
+    }
+
+    fn set_of(&mut self, pixel: usize, variable: &'static str, value: f32) {
+        let known = self.names.iter().position(|name| *name == variable);
+        let place = known.unwrap_or_else(|| {
+            self.names.push(variable);
+            self.names.len() - 1
+        });
+        let values = &mut self.values[pixel];
+        if values.len() <= place {
+            values.resize(place + 1, f32::NAN);
+        }
+        values[place] = value;
+    }
+}

@@ -1,0 +1,104 @@
+//! What became of each fragment of a pixel, draw by draw: a record, and its table.
+
+use std::fmt;
+
+/// Where a fragment's way ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Outcome {
+    /// The shader discarded it.
+    Discarded,
+    /// It failed the stencil test.
+    StencilFail,
+    /// It passed the stencil test and failed the depth test.
+    DepthFail,
+    /// It passed every test.
+    Pass,
+}
+
+/// One fragment's way through the stages.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Fate {
+    /// Its place in the order of submission.
+    pub order: u32,
+    /// The depth it came with.
+    pub depth: f32,
+    /// Where its way ended.
+    pub outcome: Outcome,
+    /// The pixel's stencil value before and after it.
+    pub stencil: [u8; 2],
+    /// The pixel's stored depth before and after it (the raw integer, if the format has fixed point).
+    pub stored_depth: [f32; 2],
+    /// The pixel's color before and after it, as far as the framebuffer has one.
+    pub color: [[f32; 4]; 2],
+}
+
+/// One draw of a pixel's fragments.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Draw {
+    /// The program that drew.
+    pub program: &'static str,
+    /// Its fragments, in the order of submission.
+    pub fates: Vec<Fate>,
+    /// The pixel's stencil value and stored depth at the end.
+    pub left: (u8, f32),
+}
+
+/// Every draw of surfaces at one pixel, in order.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Record {
+    /// The draws.
+    pub draws: Vec<Draw>,
+}
+
+impl Draw {
+    /// The orders of the fragments that ended so.
+    pub fn with(&self, outcome: Outcome) -> Vec<u32> {
+        let ended_so = |fate: &&Fate| fate.outcome == outcome;
+        self.fates
+            .iter()
+            .filter(ended_so)
+            .map(|fate| fate.order)
+            .collect()
+    }
+}
+
+impl fmt::Display for Outcome {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Self::Discarded => "clipped",
+            Self::StencilFail => "stencil fail",
+            Self::DepthFail => "depth fail",
+            Self::Pass => "pass",
+        })
+    }
+}
+
+impl fmt::Display for Draw {
+    /// A line a fragment; what a fragment did not change is not repeated.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(
+            f,
+            "  surface   depth    fate          stencil      depth buffer"
+        )?;
+        for fate in &self.fates {
+            let [before, after] = fate.stencil;
+            let stencil = match before == after {
+                true => format!("{before}"),
+                false => format!("{before} -> {after}"),
+            };
+            let [before, after] = fate.stored_depth;
+            let depth = match before == after {
+                true => format!("{before}"),
+                false => format!("{before} -> {after}"),
+            };
+            let name = format!("s{}", fate.order);
+            writeln!(
+                f,
+                "  {name:<9} {:<8} {:<13} {stencil:<12} {depth}",
+                fate.depth, fate.outcome
+            )?;
+        }
+        let (stencil, depth) = self.left;
+        writeln!(f, "  at the end: stencil {stencil}, depth {depth}")
+    }
+}

@@ -1,0 +1,195 @@
+//! Coherent layer peeling (Carr et al. 2008, sections 4 to 6): every iteration composites, at each pixel, a whole run of
+//! surfaces that were submitted in the right order, and what ends the run.
+//!
+//! The listings are [`coherent::VARIANT_A`], which counts with the stencil buffer, and [`coherent::VARIANT_B`], which
+//! moves depths with float blending. Both composite every surface once and in order, whatever the order of submission;
+//! that only decides the number of iterations, from 1 for sorted input to half the number of layers for reversed input.
+//! So triangles are roughly sorted first ([`Sorting`]). Of surfaces at the same depth the first submitted *after that*
+//! lies in front.
+
+use super::batches::{Batch, batches};
+use super::peeled::{Peeled, peeled};
+use super::sorting::Sorting;
+use super::{Algorithm, Drawn};
+use crate::error::{Error, Result};
+use crate::gl::{Format, Geometry, GlMachine};
+use crate::papers::carr_2008::coherent::{LOOP_A, LOOP_B, VARIANT_A, VARIANT_B};
+use crate::papers::carr_2008::{self, coherent};
+use crate::papers::vtk;
+use crate::scene::Scene;
+use crate::steps;
+use crate::steps::{Amendment, Dialect, Listing, Variables, run};
+
+/// Which of the paper's two.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Variant {
+    /// Stencil counting: six geometry passes an iteration (section 5).
+    #[default]
+    A,
+    /// Float blending: five (section 6).
+    B,
+}
+
+/// What can be chosen about coherent layer peeling.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct CoherentOptions {
+    /// Stencil counting or float blending.
+    pub variant: Variant,
+    /// How triangles are sorted beforehand.
+    pub sorting: Sorting,
+    /// An improvement: equal depths do not break a run ([`coherent::TIE_FRIENDLY`]).
+    pub tie_friendly: bool,
+    /// An improvement: the loop ends as soon as its first pass finds nothing ([`coherent::STOP_ON_PASS_1`]).
+    pub stop_early: bool,
+    /// An improvement (section 9, after Wexler et al. 2005): the depth range is cut into so many batches of about equally
+    /// many triangles, and each is peeled with the triangles that reach into it. 0 and 1 cut nothing.
+    pub batches: u32,
+    /// The paper's listings and prose with nothing amended. Given up when it goes on for too long.
+    pub as_printed: bool,
+    /// More amendments to the listings that run: what does one changed word do?
+    pub amendments: &'static [Amendment],
+}
+
+impl From<Variant> for CoherentOptions {
+    fn from(variant: Variant) -> Self {
+        Self {
+            variant,
+            ..Self::default()
+        }
+    }
+}
+
+pub(super) struct CoherentLayerPeeling {
+    pub(super) options: CoherentOptions,
+    pub(super) peeled: Peeled,
+    pub(super) color: Format,
+    pub(super) depth: Format,
+    order: Vec<[u32; 2]>,
+}
+
+/// The listings with the amendments in place, so that improvements can stand outside of them.
+const AMENDED_A: Listing = amended(steps! { run VARIANT_A amended by &coherent::AMENDMENTS; });
+const AMENDED_B: Listing = amended(steps! { run VARIANT_B amended by &coherent::AMENDMENTS; });
+const BATCH_A: Listing = amended(steps! { run LOOP_A amended by &coherent::AMENDMENTS; });
+const BATCH_B: Listing = amended(steps! { run LOOP_B amended by &coherent::AMENDMENTS; });
+
+const fn amended(steps: &'static [crate::steps::Step]) -> Listing {
+    Listing {
+        title: "Coherent layer peeling, amended",
+        source: "Carr et al. 2008, sections 5 and 6",
+        dialect: Dialect::Calls,
+        steps,
+    }
+}
+
+impl CoherentLayerPeeling {
+    pub(super) fn new(options: CoherentOptions, color: Format, depth: Format) -> Self {
+        Self {
+            options,
+            peeled: Peeled::new(options.as_printed),
+            color,
+            depth,
+            order: Vec::new(),
+        }
+    }
+
+    fn amendments(&self) -> Vec<Amendment> {
+        let mut amendments = self.options.amendments.to_vec();
+        if self.options.tie_friendly {
+            amendments.push(coherent::TIE_FRIENDLY);
+        }
+        if self.options.stop_early {
+            amendments.push(coherent::STOP_ON_PASS_1);
+            amendments.push(coherent::STOP_ON_SECTION_6);
+        }
+        amendments
+    }
+
+    fn listing(&self) -> Listing {
+        match (self.options.variant, self.options.as_printed) {
+            (Variant::A, true) => coherent::VARIANT_A,
+            (Variant::B, true) => coherent::VARIANT_B,
+            (Variant::A, false) => AMENDED_A,
+            (Variant::B, false) => AMENDED_B,
+        }
+    }
+
+    fn submit(&self, machine: &mut GlMachine<'_>, scene: &Scene, order: &[[u32; 2]]) -> Result<()> {
+        let geometry = Geometry::upload_in_order(machine.context(), scene, machine.size(), order)?;
+        machine.set_geometry(geometry);
+        Ok(())
+    }
+
+    /// Batch after batch, front to back, each between two depths and with the triangles that reach between them.
+    fn draw_batches(
+        &self,
+        machine: &mut GlMachine<'_>,
+        scene: &Scene,
+        batches: &[Batch],
+    ) -> Result<Drawn> {
+        let mut amendments = self.amendments();
+        amendments.push(coherent::UP_TO_THE_BATCH_END);
+        let listing = match self.options.variant {
+            Variant::A => BATCH_A,
+            Variant::B => BATCH_B,
+        };
+        run(&vtk::OPAQUE_FIRST, &[], Variables::new(), machine)?;
+        run(
+            &carr_2008::CLEAR_ACCUMULATION,
+            &[],
+            Variables::new(),
+            machine,
+        )?;
+        let mut all = Drawn::default();
+        let mut composited = 0;
+        for batch in batches {
+            self.submit(machine, scene, &batch.order)?;
+            coherent::begin_batch(machine, batch.begin, batch.end)?;
+            let drawn = peeled(&run(
+                &listing,
+                &amendments,
+                self.peeled.variables(),
+                machine,
+            )?);
+            all.iterations += drawn.iterations;
+            composited += drawn.composited.count();
+            all.stopped = drawn.stopped;
+        }
+        run(&carr_2008::OVER_OPAQUE, &[], Variables::new(), machine)?;
+        self.submit(machine, scene, &self.order)?;
+        all.composited = super::Composited::Some(composited);
+        Ok(all)
+    }
+}
+
+impl Algorithm for CoherentLayerPeeling {
+    fn prepare(&mut self, machine: &mut GlMachine<'_>, scene: &Scene) -> Result<()> {
+        if !self.depth.has_stencil() {
+            return Err(Error::usage(
+                "coherent layer peeling counts in the stencil buffer, and this depth format has none",
+                "choose a depth format with a stencil",
+            ));
+        }
+        self.order = self.options.sorting.order(scene);
+        self.submit(machine, scene, &self.order)?;
+        self.peeled.prepare(machine)?;
+        // Depths as colors need the image's full float precision (X17).
+        let depths_as_color = (self.options.variant == Variant::B).then_some(self.color);
+        coherent::furnish(machine, self.color, self.depth, depths_as_color)?;
+        machine.target(vtk::COMPOSITE, Some(super::renderer::IMAGE), None)
+    }
+
+    fn draw(&mut self, machine: &mut GlMachine<'_>, scene: &Scene) -> Result<Drawn> {
+        if self.options.batches > 1 && !self.options.as_printed {
+            let batches = batches(scene, machine.size(), &self.order, self.options.batches);
+            return self.draw_batches(machine, scene, &batches);
+        }
+        let outcome = run(
+            &self.listing(),
+            &self.amendments(),
+            self.peeled.variables(),
+            machine,
+        )?;
+        Ok(peeled(&outcome))
+    }
+}

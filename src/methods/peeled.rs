@@ -1,0 +1,49 @@
+//! What the peeling loops of Carr et al. (2008) have in common: an end, and what they say of themselves.
+
+use super::iteration_bound::iteration_bound;
+use super::{Composited, Drawn};
+use crate::error::Result;
+use crate::gl::GlMachine;
+use crate::steps::{Amendment, Outcome, Reason, Variables};
+
+/// Whether a loop runs as printed, and after how many iterations it is then given up.
+pub(super) struct Peeled {
+    as_printed: bool,
+    iteration_limit: f64,
+}
+
+impl Peeled {
+    pub(super) fn new(as_printed: bool) -> Self {
+        Self {
+            as_printed,
+            iteration_limit: f64::INFINITY,
+        }
+    }
+
+    /// Amended loops end by themselves. As printed, some do not.
+    pub(super) fn prepare(&mut self, machine: &mut GlMachine<'_>) -> Result<()> {
+        if self.as_printed {
+            self.iteration_limit = iteration_bound(machine)?;
+        }
+        Ok(())
+    }
+
+    pub(super) fn variables(&self) -> Variables {
+        Variables::new().with("iteration_limit", self.iteration_limit)
+    }
+
+    pub(super) fn amendments<'a>(&self, amendments: &'a [Amendment]) -> &'a [Amendment] {
+        if self.as_printed { &[] } else { amendments }
+    }
+}
+
+/// What a loop says of itself.
+pub(super) fn peeled(outcome: &Outcome) -> Drawn {
+    let number = |name| outcome.variables.get(name).unwrap_or(0.0);
+    Drawn {
+        iterations: number("iterations") as u32,
+        composited: Composited::Some(number("composited") as u64),
+        stopped: Some(outcome.stopped.unwrap_or(Reason::NoEnd)),
+        ..Drawn::default()
+    }
+}

@@ -1,0 +1,265 @@
+//! Algorithm 2, the ideal GPU: coherent layer peeling in two geometry passes an iteration, by a rasteriser that reads
+//! and writes several buffers in the order of submission.
+//!
+//! [`ALGORITHM_2`] is the printed pseudocode. [`IDEAL`] is what OpenGL runs where its fragment shaders can read the
+//! framebuffer in order: the shaders of `glsl/ideal/` are its lines 7 to 12, 13 to 34 and 36 to 40.
+
+use super::*;
+use crate::error::Result;
+use crate::papers::vtk::{OPAQUE_DEPTH, OPAQUE_FIRST};
+use crate::pseudo;
+use crate::steps::pseudo::{Algorithm, Line};
+use crate::steps::{Amendment, Format, Workspace};
+
+/// Algorithm 2, line by line.
+pub const ALGORITHM_2: Algorithm = Algorithm {
+    title: "Ideal Coherent Layer Peel",
+    source: "Carr et al. 2008, Algorithm 2",
+    lines: pseudo! {
+        for all pixel sample locations do {
+            z3 <- zNear;
+        }
+        gChanged <- true;
+        while gChanged = true do {
+            gChanged <- false;
+            for all pixel sample locations do {
+                z1 <- zOpaque;
+                z2 <- zOpaque;
+                zPeel <- z3;
+                zPostFlag <- false;
+            }
+            for all Transparent "geometry sample locations" do {
+                if (zPeel < zFragment < z2) then {
+                    gChanged <- true;
+                    if (zFragment < z1) then {
+                        z2 <- z1;
+                        z1 <- zFragment;
+                        z3 <- z1;
+                        zPostFlag <- false;
+                    } else if (zPostFlag = true) then {
+                        if (zFragment < z3) then {
+                            z3 <- zFragment;
+                        }
+                    } else {
+                        if (zFragment < z3) then {
+                            zPostFlag <- true;
+                        }
+                        z3 <- zFragment;
+                    }
+                } else if (zFragment = zPeel) then {
+                    composite;
+                }
+            }
+            if (gChanged = true) then {
+                for all Transparent "geometry sample locations" do {
+                    if (zPeel < zFragment < z3) then {
+                        composite;
+                    }
+                }
+            }
+        }
+    },
+};
+
+/// What makes Algorithm 2 right.
+pub const AMENDMENTS_2: [Amendment<Line>; 2] = [RESET_Z3, BEFORE_OPAQUE];
+
+/// A pixel with nothing left keeps `z3`, hence `zPeel`, and composites its last layer again in every further iteration.
+pub const RESET_Z3: Amendment<Line> = Amendment {
+    key: "X22",
+    place: "Algorithm 2, line 10",
+    printed: pseudo! { zPeel <- z3; },
+    amended: pseudo! {
+        zPeel <- z3;
+        z3 <- zOpaque;
+    },
+    why: "a pixel with nothing left must not stay where it is",
+    test: "x22_pixels_that_are_done_composite_their_last_layer_again",
+};
+
+/// Where nothing is left `zPeel` becomes the opaque depth.
+pub const BEFORE_OPAQUE: Amendment<Line> = Amendment {
+    key: "X22",
+    place: "Algorithm 2, line 31",
+    printed: pseudo! {
+        if (zFragment = zPeel) then {
+            composite;
+        }
+    },
+    amended: pseudo! {
+        if (zFragment = zPeel and zFragment < zOpaque) then {
+            composite;
+        }
+    },
+    why: "what lies on the opaque surface is hidden",
+    test: "x22_pixels_that_are_done_composite_their_last_layer_again",
+};
+
+/// An improvement that the printed `z2` suggests: an unbroken run ends at the loose bound `z2`, not at its own last
+/// surface. It cures X22 as well.
+pub const TIGHT_BOUND: [Amendment<Line>; 4] = [
+    Amendment {
+        key: "X23",
+        place: "Algorithm 2, lines 1 to 3",
+        printed: pseudo! { z3 <- zNear; },
+        amended: pseudo! {
+            z3 <- zNear;
+            z2 <- zNear;
+            zPostFlag <- false;
+        },
+        why: "what the first iteration reads",
+        test: "x23_the_tighter_bound_halves_reversed_input",
+    },
+    Amendment {
+        key: "X23",
+        place: "Algorithm 2, lines 8 to 10",
+        printed: pseudo! {
+            z1 <- zOpaque;
+            z2 <- zOpaque;
+            zPeel <- z3;
+        },
+        amended: pseudo! {
+            zPeel <- z3 if zPostFlag else z2;
+            z1 <- zOpaque;
+            z2 <- zOpaque;
+        },
+        why: "the run ended where pass 2 stopped",
+        test: "x23_the_tighter_bound_halves_reversed_input",
+    },
+    BEFORE_OPAQUE,
+    Amendment {
+        key: "X23",
+        place: "Algorithm 2, line 37",
+        printed: pseudo! {
+            if (zPeel < zFragment < z3) then {
+                composite;
+            }
+        },
+        amended: pseudo! {
+            zEnd <- z3 if zPostFlag else z2;
+            if (zPeel < zFragment < zEnd) then {
+                composite;
+            }
+        },
+        why: "an unbroken run ends at z2",
+        test: "x23_the_tighter_bound_halves_reversed_input",
+    },
+];
+
+/// Algorithm 2 on OpenGL, as printed.
+pub const IDEAL: Listing = Listing {
+    title: "Ideal coherent layer peeling",
+    source: "Carr et al. 2008, Algorithm 2",
+    dialect: Dialect::Calls,
+    steps: steps! {
+        run OPAQUE_FIRST;
+        run FROM_THE_NEAR_PLANE;
+        for (i in 0..iteration_limit) {
+            iterations = i + 1;
+            glUseProgram(BEGIN_AS_PRINTED);
+            glColorMaski(0, true, true, true, true);
+            glColorMaski(1, false, false, false, false);
+            glColorMaski(2, true, true, true, true);
+            drawScreen();
+            glUseProgram(PASS_1_AS_PRINTED);
+            glColorMaski(1, true, true, true, true);
+            glColorMaski(2, false, false, false, false);
+            drawTransparentObjects();
+            glUseProgram(CHANGED_PIXELS);
+            glColorMask(false, false, false, false);
+            glBeginQuery(CHANGED);
+            drawScreen();
+            glEndQuery(CHANGED);
+            changed = samples(CHANGED);
+            stop if (changed == 0) because EmptyLayer;
+            glUseProgram(PASS_2_AS_PRINTED);
+            glColorMaski(1, true, true, true, true);
+            drawTransparentObjects();
+        }
+        run OVER_OPAQUE;
+    },
+};
+
+/// Lines 1 to 3. The color maps are `z1`, `z2`, `z3` and the flag; the image; `zPeel`.
+const FROM_THE_NEAR_PLANE: Listing = Listing {
+    title: "z3 <- zNear; nothing composited yet",
+    source: "Carr et al. 2008, Algorithm 2, lines 1 to 3",
+    dialect: Dialect::Calls,
+    steps: steps! {
+        glBindFramebuffer(PEEL);
+        glDisable(DEPTH_TEST);
+        glClearColor(0.0, 0.0, 0.0, 0.0);
+        glClear(COLOR_BUFFER_BIT);
+        glActiveTexture(4);
+        glBindTexture(OPAQUE_DEPTH);
+    },
+};
+
+/// [`AMENDMENTS_2`] on OpenGL.
+pub const AMENDMENTS: [Amendment; 2] = [
+    Amendment {
+        key: "X22",
+        place: "Algorithm 2, line 10",
+        printed: steps! { glUseProgram(BEGIN_AS_PRINTED); },
+        amended: steps! { glUseProgram(BEGIN); },
+        why: "a pixel with nothing left must not stay where it is",
+        test: "x22_pixels_that_are_done_composite_their_last_layer_again",
+    },
+    Amendment {
+        key: "X22",
+        place: "Algorithm 2, line 31",
+        printed: steps! { glUseProgram(PASS_1_AS_PRINTED); },
+        amended: steps! { glUseProgram(PASS_1); },
+        why: "what lies on the opaque surface is hidden",
+        test: "x22_pixels_that_are_done_composite_their_last_layer_again",
+    },
+];
+
+/// [`TIGHT_BOUND`] on OpenGL.
+pub const TIGHT_BOUND_ON_GL: [Amendment; 3] = [
+    Amendment {
+        key: "X23",
+        place: "Algorithm 2, lines 8 to 10",
+        printed: steps! { glUseProgram(BEGIN_AS_PRINTED); },
+        amended: steps! { glUseProgram(BEGIN_TIGHT); },
+        why: "the run ended where pass 2 stopped",
+        test: "x23_the_tighter_bound_halves_reversed_input",
+    },
+    AMENDMENTS[1],
+    Amendment {
+        key: "X23",
+        place: "Algorithm 2, line 37",
+        printed: steps! { glUseProgram(PASS_2_AS_PRINTED); },
+        amended: steps! { glUseProgram(PASS_2_TIGHT); },
+        why: "an unbroken run ends at z2",
+        test: "x23_the_tighter_bound_halves_reversed_input",
+    },
+];
+
+/// `z1`, `z2`, `z3` and `zPostFlag`.
+pub const DEPTHS: Map = Map::named("z1 z2 z3 zPostFlag");
+/// Gives the listing its maps: [`DEPTHS`], the image and [`Z_PEEL`], in 32-bit floats, for depths need them.
+///
+/// # Errors
+/// If there is no room.
+pub fn furnish(workspace: &mut impl Workspace) -> Result<()> {
+    let maps = [DEPTHS, ACCUMULATED, Z_PEEL];
+    for map in maps {
+        workspace.allocate(map, Format::Rgba32F)?;
+    }
+    workspace.target_of(PEEL, &maps, None)
+}
+
+/// The depth up to which everything has been composited.
+pub const Z_PEEL: Map = Map::named("zPeel");
+
+const BEGIN_AS_PRINTED: Shader = Shader("ideal/begin_as_printed");
+const BEGIN: Shader = Shader("ideal/begin");
+const BEGIN_TIGHT: Shader = Shader("ideal/begin_tight");
+const PASS_1_AS_PRINTED: Shader = Shader("ideal/pass_1_as_printed");
+const PASS_1: Shader = Shader("ideal/pass_1");
+const PASS_2_AS_PRINTED: Shader = Shader("ideal/pass_2");
+const PASS_2_TIGHT: Shader = Shader("ideal/pass_2_tight");
+const CHANGED_PIXELS: Shader = Shader("ideal/changed");
+/// Pixels of which pass 1 has changed a depth: `gChanged`. A query on pass 1 itself would count what it composites.
+pub const CHANGED: Query = Query("gChanged");

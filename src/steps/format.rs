@@ -1,0 +1,45 @@
+//! How maps store their texels.
+
+/// How a map stores its texels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Format {
+    /// Four bytes, each 0 to 1 in 256 steps.
+    Rgba8,
+    /// Four 16-bit floats.
+    Rgba16F,
+    /// Four 32-bit floats.
+    Rgba32F,
+    /// One 32-bit float.
+    R32F,
+    /// 32-bit float depth with 8 bits of stencil.
+    Depth32FStencil8,
+    /// 24-bit fixed-point depth with 8 bits of stencil. Sampled on llvmpipe it is not what was stored.
+    Depth24Stencil8,
+    /// 16-bit fixed-point depth. OpenGL has no such format with a stencil.
+    Depth16,
+}
+
+impl Format {
+    /// Bytes per texel, as GL counts them.
+    pub const fn bytes(self) -> u64 {
+        match self {
+            Self::Depth16 => 2,
+            Self::Rgba8 | Self::R32F | Self::Depth24Stencil8 => 4,
+            Self::Rgba16F | Self::Depth32FStencil8 => 8,
+            Self::Rgba32F => 16,
+        }
+    }
+
+    /// Whether it stores depths.
+    pub const fn has_depth(self) -> bool {
+        matches!(
+            self,
+            Self::Depth32FStencil8 | Self::Depth24Stencil8 | Self::Depth16
+        )
+    }
+
+    /// Whether it stores stencil values.
+    pub const fn has_stencil(self) -> bool {
+        matches!(self, Self::Depth32FStencil8 | Self::Depth24Stencil8)
+    }
+}

@@ -1,0 +1,401 @@
+//! Algorithms that a paper prints as pseudocode rather than as calls, line by line.
+//!
+//! Where a [`Listing`](super::Listing) sets a pipeline's state, an [`Algorithm`] says what happens at each pixel and to
+//! each fragment: Carr et al.'s Algorithms 1 and 2. The emulator runs it as it stands; what OpenGL runs instead stands
+//! beside it in `papers/`, and tests hold the two against each other.
+//!
+//! Every variable is per pixel, but for `gChanged`, which is one for all. Flags are numbers: `true` is 1, `false` is 0.
+
+use std::fmt;
+
+use super::amend::Amendment;
+use super::call::{Compare, Objects};
+
+/// An algorithm as its paper prints it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Algorithm {
+    /// Its name.
+    pub title: &'static str,
+    /// Where it is printed.
+    pub source: &'static str,
+    /// What it says.
+    pub lines: &'static [Line],
+}
+
+/// One statement.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Line {
+    /// `for all pixel sample locations do`
+    Pixels(&'static [Line]),
+    /// `for all ... geometry ... do`: once per fragment, in the order of submission.
+    Fragments {
+        /// Of which objects.
+        of: Objects,
+        /// How the paper says it.
+        phrase: &'static str,
+        /// What is done with each.
+        body: &'static [Line],
+    },
+    /// `while flag = true do`
+    While {
+        /// The flag.
+        flag: &'static str,
+        /// What is repeated.
+        body: &'static [Line],
+    },
+    /// `if ... then ... else ...`
+    If {
+        /// Which way.
+        test: Test,
+        /// If it holds.
+        then: &'static [Line],
+        /// If it does not.
+        otherwise: &'static [Line],
+    },
+    /// `variable <- value`
+    Set {
+        /// The variable.
+        variable: &'static str,
+        /// Its new value.
+        value: Value,
+    },
+    /// `swap(a, b)`
+    Swap(&'static str, &'static str),
+    /// `Composite fragment into color buffer`
+    Composite,
+}
+
+/// What an assignment assigns.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Value {
+    /// Another variable's value.
+    Of(&'static str),
+    /// `true` or `false`.
+    Flag(bool),
+    /// A depth nearer than any fragment's.
+    BeforeEverything,
+    /// The first where the flag is set, the second elsewhere.
+    Either(&'static str, &'static str, &'static str),
+}
+
+/// What an `if` asks.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Test {
+    /// `a < b`, or another comparison.
+    One(&'static str, Compare, &'static str),
+    /// `a < b < c`, or with other comparisons.
+    Two(&'static str, Compare, &'static str, Compare, &'static str),
+    /// `a = b and c < d`
+    Both(
+        (&'static str, Compare, &'static str),
+        (&'static str, Compare, &'static str),
+    ),
+    /// `flag = true`
+    Set(&'static str),
+}
+
+/// The algorithm as its paper prints it, numbered, with `amendments` in place; without any, as printed.
+pub fn print(algorithm: &Algorithm, amendments: &[Amendment<Line>]) -> String {
+    let mut printer = Printer {
+        number: 0,
+        text: String::new(),
+    };
+    printer.lines(algorithm.lines, amendments, 0);
+    printer.text
+}
+
+struct Printer {
+    number: usize,
+    text: String,
+}
+
+impl Printer {
+    fn line(&mut self, indent: usize, line: impl fmt::Display) {
+        self.number += 1;
+        self.text += &format!(
+            "{:>2}: {:indent$}{line}\n",
+            self.number,
+            "",
+            indent = indent * 2
+        );
+    }
+
+    fn lines(&mut self, mut lines: &[Line], amendments: &[Amendment<Line>], indent: usize) {
+        while let Some((line, rest)) = lines.split_first() {
+            if let Some(amendment) = Amendment::at(amendments, lines) {
+                self.text += &format!("    // {}: {}\n", amendment.key, amendment.why);
+                self.lines(amendment.amended, &[], indent);
+                lines = &lines[amendment.printed.len()..];
+            } else {
+                self.statement(line, amendments, indent);
+                lines = rest;
+            }
+        }
+    }
+
+    fn statement(&mut self, line: &Line, amendments: &[Amendment<Line>], indent: usize) {
+        match *line {
+            Line::Pixels(body) => {
+                self.line(indent, "for all pixel sample locations do");
+                self.lines(body, amendments, indent + 1);
+                self.line(indent, "end for");
+            }
+            Line::Fragments { phrase, body, .. } => {
+                self.line(indent, format_args!("for all {phrase} do"));
+                self.lines(body, amendments, indent + 1);
+                self.line(indent, "end for");
+            }
+            Line::While { flag, body } => {
+                self.line(indent, format_args!("while {flag} = true do"));
+                self.lines(body, amendments, indent + 1);
+                self.line(indent, "end while");
+            }
+            Line::If {
+                test,
+                then,
+                otherwise,
+            } => {
+                self.line(indent, format_args!("if {test} then"));
+                self.lines(then, amendments, indent + 1);
+                self.otherwise(otherwise, amendments, indent);
+                self.line(indent, "end if");
+            }
+            Line::Set { variable, value } => {
+                self.line(indent, format_args!("{variable} <- {value}"));
+            }
+            Line::Swap(a, b) => self.line(indent, format_args!("swap({a}, {b})")),
+            Line::Composite => self.line(indent, "Composite fragment into color buffer"),
+        }
+    }
+
+    /// An `if` that is all of an `else` continues the chain.
+    fn otherwise(&mut self, lines: &[Line], amendments: &[Amendment<Line>], indent: usize) {
+        let lines = match Amendment::at(amendments, lines) {
+            Some(amendment) if amendment.printed.len() == lines.len() => amendment.amended,
+            _ => lines,
+        };
+        match lines {
+            [] => {}
+            [
+                Line::If {
+                    test,
+                    then,
+                    otherwise,
+                },
+            ] => {
+                self.line(indent, format_args!("else if {test} then"));
+                self.lines(then, amendments, indent + 1);
+                self.otherwise(otherwise, amendments, indent);
+            }
+            _ => {
+                self.line(indent, "else");
+                self.lines(lines, amendments, indent + 1);
+            }
+        }
+    }
+}
+
+impl fmt::Display for Value {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Of(variable) => f.write_str(variable),
+            Self::Flag(flag) => write!(f, "{flag}"),
+            Self::BeforeEverything => f.write_str("before zNear"),
+            Self::Either(flag, a, b) => write!(f, "{a} if {flag} else {b}"),
+        }
+    }
+}
+
+impl fmt::Display for Test {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::One(a, ab, b) => write!(f, "{a} {} {b}", sign(*ab)),
+            Self::Two(a, ab, b, bc, c) => write!(f, "{a} {} {b} {} {c}", sign(*ab), sign(*bc)),
+            Self::Both((a, ab, b), (c, cd, d)) => {
+                write!(f, "{a} {} {b} and {c} {} {d}", sign(*ab), sign(*cd))
+            }
+            Self::Set(flag) => write!(f, "{flag} = true"),
+        }
+    }
+}
+
+/// As pseudocode writes it, where one `=` compares.
+fn sign(compare: Compare) -> &'static str {
+    match compare {
+        Compare::Equal => "=",
+        other => other.operator(),
+    }
+}
+
+/// The lines of an [`Algorithm`](crate::steps::pseudo::Algorithm), written as the paper writes them, as a
+/// `&'static [Line]`.
+///
+/// ```
+/// use onionskin::steps::pseudo::*;
+/// const LINES: &[Line] = onionskin::pseudo! {
+///     gChanged <- true;
+///     while gChanged = true do {
+///         for all Transparent "geometry sample locations" do {
+///             if (zPeel < zFragment < z2) then { composite; } else if (zFragment = zPeel) then { z1 <- z2; }
+///         }
+///     }
+/// };
+/// assert_eq!(LINES.len(), 2);
+/// ```
+#[macro_export]
+macro_rules! pseudo {
+    ($($line:tt)*) => {
+        {
+            const LINES: &[$crate::steps::pseudo::Line] = $crate::pseudo_lines!([] $($line)*);
+            LINES
+        }
+    };
+}
+
+/// One rule a kind of line: takes the first off, puts it behind those that are done, and goes on with the rest.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! pseudo_lines {
+    ([$($done:expr,)*]) => { &[$($done,)*] };
+    ([$($done:expr,)*] for all pixel sample locations do { $($body:tt)* } $($rest:tt)*) => {
+        $crate::pseudo_lines!([$($done,)* $crate::steps::pseudo::Line::Pixels($crate::pseudo!($($body)*)),] $($rest)*)
+    };
+    ([$($done:expr,)*] for all $of:ident $phrase:literal do { $($body:tt)* } $($rest:tt)*) => {
+        $crate::pseudo_lines!([$($done,)* $crate::steps::pseudo::Line::Fragments {
+            of: $crate::steps::Objects::$of,
+            phrase: $phrase,
+            body: $crate::pseudo!($($body)*),
+        },] $($rest)*)
+    };
+    ([$($done:expr,)*] while $flag:ident = true do { $($body:tt)* } $($rest:tt)*) => {
+        $crate::pseudo_lines!([$($done,)* $crate::steps::pseudo::Line::While {
+            flag: stringify!($flag),
+            body: $crate::pseudo!($($body)*),
+        },] $($rest)*)
+    };
+    // if ... else if ...: the rest of the chain is collected into the 'else'.
+    ([$($done:expr,)*] if ($($test:tt)*) then { $($then:tt)* } else if $($rest:tt)*) => {
+        $crate::pseudo_lines!(@chain [$($done,)*] [$($test)*] [$($then)*] if $($rest)*)
+    };
+    ([$($done:expr,)*] if ($($test:tt)*) then { $($then:tt)* } else { $($otherwise:tt)* } $($rest:tt)*) => {
+        $crate::pseudo_lines!([$($done,)* $crate::steps::pseudo::Line::If {
+            test: $crate::pseudo_test!($($test)*),
+            then: $crate::pseudo!($($then)*),
+            otherwise: $crate::pseudo!($($otherwise)*),
+        },] $($rest)*)
+    };
+    ([$($done:expr,)*] if ($($test:tt)*) then { $($then:tt)* } $($rest:tt)*) => {
+        $crate::pseudo_lines!([$($done,)* $crate::steps::pseudo::Line::If {
+            test: $crate::pseudo_test!($($test)*),
+            then: $crate::pseudo!($($then)*),
+            otherwise: &[],
+        },] $($rest)*)
+    };
+    (@chain [$($done:expr,)*] [$($test:tt)*] [$($then:tt)*]
+        if ($($test_2:tt)*) then { $($then_2:tt)* } else if ($($test_3:tt)*) then { $($then_3:tt)* } else { $($otherwise:tt)* }
+        $($rest:tt)*) => {
+        $crate::pseudo_lines!([$($done,)* $crate::steps::pseudo::Line::If {
+            test: $crate::pseudo_test!($($test)*),
+            then: $crate::pseudo!($($then)*),
+            otherwise: $crate::pseudo!(
+                if ($($test_2)*) then { $($then_2)* } else if ($($test_3)*) then { $($then_3)* } else { $($otherwise)* }
+            ),
+        },] $($rest)*)
+    };
+    (@chain [$($done:expr,)*] [$($test:tt)*] [$($then:tt)*]
+        if ($($test_2:tt)*) then { $($then_2:tt)* } else { $($otherwise:tt)* } $($rest:tt)*) => {
+        $crate::pseudo_lines!([$($done,)* $crate::steps::pseudo::Line::If {
+            test: $crate::pseudo_test!($($test)*),
+            then: $crate::pseudo!($($then)*),
+            otherwise: $crate::pseudo!(if ($($test_2)*) then { $($then_2)* } else { $($otherwise)* }),
+        },] $($rest)*)
+    };
+    (@chain [$($done:expr,)*] [$($test:tt)*] [$($then:tt)*]
+        if ($($test_2:tt)*) then { $($then_2:tt)* } $($rest:tt)*) => {
+        $crate::pseudo_lines!([$($done,)* $crate::steps::pseudo::Line::If {
+            test: $crate::pseudo_test!($($test)*),
+            then: $crate::pseudo!($($then)*),
+            otherwise: $crate::pseudo!(if ($($test_2)*) then { $($then_2)* }),
+        },] $($rest)*)
+    };
+    ([$($done:expr,)*] composite; $($rest:tt)*) => {
+        $crate::pseudo_lines!([$($done,)* $crate::steps::pseudo::Line::Composite,] $($rest)*)
+    };
+    ([$($done:expr,)*] swap($a:ident, $b:ident); $($rest:tt)*) => {
+        $crate::pseudo_lines!([$($done,)* $crate::steps::pseudo::Line::Swap(stringify!($a), stringify!($b)),] $($rest)*)
+    };
+    ([$($done:expr,)*] $variable:ident <- $flag:literal; $($rest:tt)*) => {
+        $crate::pseudo_lines!([$($done,)* $crate::steps::pseudo::Line::Set {
+            variable: stringify!($variable),
+            value: $crate::steps::pseudo::Value::Flag($flag),
+        },] $($rest)*)
+    };
+    ([$($done:expr,)*] $variable:ident <- before zNear; $($rest:tt)*) => {
+        $crate::pseudo_lines!([$($done,)* $crate::steps::pseudo::Line::Set {
+            variable: stringify!($variable),
+            value: $crate::steps::pseudo::Value::BeforeEverything,
+        },] $($rest)*)
+    };
+    ([$($done:expr,)*] $variable:ident <- $a:ident if $flag:ident else $b:ident; $($rest:tt)*) => {
+        $crate::pseudo_lines!([$($done,)* $crate::steps::pseudo::Line::Set {
+            variable: stringify!($variable),
+            value: $crate::steps::pseudo::Value::Either(stringify!($flag), stringify!($a), stringify!($b)),
+        },] $($rest)*)
+    };
+    ([$($done:expr,)*] $variable:ident <- $value:ident; $($rest:tt)*) => {
+        $crate::pseudo_lines!([$($done,)* $crate::steps::pseudo::Line::Set {
+            variable: stringify!($variable),
+            value: $crate::steps::pseudo::Value::Of(stringify!($value)),
+        },] $($rest)*)
+    };
+}
+
+#[doc(hidden)]
+#[macro_export]
+macro_rules! pseudo_test {
+    ($flag:ident = true) => {
+        $crate::steps::pseudo::Test::Set(stringify!($flag))
+    };
+    ($a:ident = $b:ident and $c:ident < $d:ident) => {
+        $crate::steps::pseudo::Test::Both(
+            (
+                stringify!($a),
+                $crate::steps::Compare::Equal,
+                stringify!($b),
+            ),
+            (stringify!($c), $crate::steps::Compare::Less, stringify!($d)),
+        )
+    };
+    ($a:ident = $b:ident) => {
+        $crate::steps::pseudo::Test::One(
+            stringify!($a),
+            $crate::steps::Compare::Equal,
+            stringify!($b),
+        )
+    };
+    ($a:ident < $b:ident < $c:ident) => {
+        $crate::steps::pseudo::Test::Two(
+            stringify!($a),
+            $crate::steps::Compare::Less,
+            stringify!($b),
+            $crate::steps::Compare::Less,
+            stringify!($c),
+        )
+    };
+    ($a:ident <= $b:ident < $c:ident) => {
+        $crate::steps::pseudo::Test::Two(
+            stringify!($a),
+            $crate::steps::Compare::Lequal,
+            stringify!($b),
+            $crate::steps::Compare::Less,
+            stringify!($c),
+        )
+    };
+    ($a:ident < $b:ident) => {
+        $crate::steps::pseudo::Test::One(
+            stringify!($a),
+            $crate::steps::Compare::Less,
+            stringify!($b),
+        )
+    };
+}
