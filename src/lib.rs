@@ -9,7 +9,7 @@
 //! ```text
 //! 6  main.rs, cli/           one file per subcommand, thin
 //! 4  methods/                one file per published method
-//! 3  gl/                     the machine that runs steps on OpenGL; all unsafe code
+//! 3  gl/ | emulator/         two machines that run steps: OpenGL, with all unsafe code, and one emulated pixel
 //!    oracle                  sort and composite in f64; knows neither steps nor GL
 //! 2  papers/                 the listings, their amendments, the claims. Pure data
 //! 1  steps/                  the vocabulary: GL calls, passes, loops, queries; printing; diffing

@@ -6,7 +6,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Every room with its floor.
-const FLOORS: [(&str, u32); 11] = [
+const FLOORS: [(&str, u32); 12] = [
     ("error", 0),
     ("fragment", 0),
     ("image", 1),
@@ -14,6 +14,7 @@ const FLOORS: [(&str, u32); 11] = [
     ("scene", 2),
     ("papers", 3),
     ("oracle", 4),
+    ("emulator", 4),
     ("gl", 4),
     ("methods", 5),
     ("cli", 6),

@@ -123,7 +123,8 @@ impl Emulator {
         &self.record
     }
 
-    /// For each pixel the surfaces that were blended into a color map, by their order of submission, as they were.
+    /// For each pixel the surfaces that were composited front to back (blended under what was there), by their order of
+    /// submission, in the order in which they were.
     pub fn composited(&self) -> &[Vec<u32>] {
         &self.composited
     }
@@ -242,9 +243,9 @@ impl Emulator {
                     if let Some(query) = self.counting {
                         *self.queries.entry(query).or_default() += 1;
                     }
-                    let drawn_under =
-                        self.state.blend.is_some() && self.state.color_mask == [true; 4];
-                    if drawn_under && attached.color.is_some() && objects != Objects::Screen {
+                    let goes_under = self.state.blend.is_some_and(|blend| blend.is_under())
+                        && attached.color.is_some();
+                    if goes_under && objects != Objects::Screen {
                         self.composited[pixel].push(surface.fragment.order);
                     }
                 }

@@ -27,6 +27,15 @@ pub(super) struct Blend {
     pub(super) dst_alpha: BlendFactor,
 }
 
+impl Blend {
+    /// Whether this is front-to-back compositing: `(ONE_MINUS_DST_ALPHA, ONE)` for color and alpha.
+    pub(super) fn is_under(&self) -> bool {
+        let source = [self.src_rgb, self.src_alpha];
+        let destination = [self.dst_rgb, self.dst_alpha];
+        source == [BlendFactor::OneMinusDstAlpha; 2] && destination == [BlendFactor::One; 2]
+    }
+}
+
 /// Everything that is a value rather than an object.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct State {

@@ -32,7 +32,10 @@ impl Sorting {
         let mut order = every_triangle(scene, &opaque);
         order.extend(match self {
             Self::Submission => every_triangle(scene, &transparent),
-            Self::Objects => every_triangle(scene, &nearest_first(scene, transparent)),
+            Self::Objects => {
+                let depth = |&mesh: &u32| middle_depth(scene, mesh);
+                every_triangle(scene, &nearest_first(transparent, depth))
+            }
             Self::Buckets(count) => in_buckets(scene, &transparent, count.max(1) as usize),
         });
         order
@@ -50,23 +53,18 @@ pub(super) fn centroid_depth(scene: &Scene, mesh: &Mesh, triangle: [u32; 3]) -> 
 pub(super) fn sorted_meshes_front_to_back(scene: &Scene) -> Vec<[u32; 2]> {
     let (sorted, others): (Vec<u32>, Vec<u32>) =
         (0..scene.meshes.len() as u32).partition(|&mesh| scene.meshes[mesh as usize].sorted);
-    let mut front_to_back = every_triangle(scene, &sorted);
-    front_to_back.sort_by_cached_key(|&triangle| Depth(depth_of(scene, triangle)));
+    let depth = |&triangle: &[u32; 2]| depth_of(scene, triangle);
+    let mut front_to_back = nearest_first(every_triangle(scene, &sorted), depth);
     let mut order = every_triangle(scene, &others);
     order.append(&mut front_to_back);
     order
 }
 
-/// Depths are finite, so that they have an order.
-#[derive(PartialEq, PartialOrd)]
-struct Depth(f32);
-
-impl Eq for Depth {}
-
-impl Ord for Depth {
-    fn cmp(&self, other: &Self) -> std::cmp::Ordering {
-        self.0.total_cmp(&other.0)
-    }
+/// What is nearer comes first; of what is equally near, what came first.
+fn nearest_first<T>(items: Vec<T>, depth: impl Fn(&T) -> f32) -> Vec<T> {
+    let mut keyed: Vec<(f32, T)> = items.into_iter().map(|item| (depth(&item), item)).collect();
+    keyed.sort_by(|(a, _), (b, _)| a.total_cmp(b));
+    keyed.into_iter().map(|(_, item)| item).collect()
 }
 
 fn depth_of(scene: &Scene, [mesh, triangle]: [u32; 2]) -> f32 {
@@ -84,15 +82,10 @@ fn every_triangle(scene: &Scene, meshes: &[u32]) -> Vec<[u32; 2]> {
         .collect()
 }
 
-fn nearest_first(scene: &Scene, mut meshes: Vec<u32>) -> Vec<u32> {
+fn middle_depth(scene: &Scene, mesh: u32) -> f32 {
     let forward = scene.camera.target - scene.camera.eye;
-    meshes.sort_by_cached_key(|&mesh| {
-        let middle = scene.meshes[mesh as usize]
-            .bounds()
-            .map_or(0.0, |bounds| bounds.centre().dot(forward));
-        Depth(middle as f32)
-    });
-    meshes
+    let bounds = scene.meshes[mesh as usize].bounds();
+    bounds.map_or(0.0, |bounds| bounds.centre().dot(forward) as f32)
 }
 
 /// A counting sort.
@@ -128,7 +121,7 @@ mod tests {
     }
 
     fn is_sorted(scene: &Scene, order: &[[u32; 2]]) -> bool {
-        order.is_sorted_by_key(|&triangle| Depth(depth_of(scene, triangle)))
+        order.is_sorted_by_key(|&triangle| depth_of(scene, triangle))
     }
 
     #[test]
