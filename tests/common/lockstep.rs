@@ -1,0 +1,180 @@
+//! Two machines that perform every call at the same time: OpenGL and the emulated pixels, held against each other after
+//! each draw and each copy.
+
+use onionskin::emulator::{Emulator, Kind, Surface};
+use onionskin::fragment::Fragment;
+use onionskin::gl::{GlMachine, capture};
+use onionskin::papers::vtk;
+use onionskin::steps::{Call, Format, Machine, Map, Query, Target, Variables, gl::*, run};
+use onionskin::{Result, Scene};
+
+/// What the two are compared in.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Watched {
+    pub map: Map,
+    pub format: Format,
+}
+
+/// A GL machine and emulated pixels of the same image, pixel by pixel in GL's order: bottom row first.
+pub struct LockStep<'m, 'c> {
+    pub gl: &'m mut GlMachine<'c>,
+    pub emulator: &'m mut Emulator,
+    /// Maps that are compared, as far as they are there.
+    pub watched: Vec<Watched>,
+    /// Pixels without any surface need not agree: GL draws over the screen only where there are surfaces.
+    pub pixels: Vec<usize>,
+    /// Largest difference of a color that counts as none: 0 for 32-bit floats.
+    pub color_bound: f32,
+    /// Comparisons made.
+    pub compared: usize,
+}
+
+impl Machine for LockStep<'_, '_> {
+    fn perform(&mut self, call: &Call) -> Result<()> {
+        self.gl.perform(call)?;
+        self.emulator.perform(call)?;
+        if matches!(call, Call::Draw { .. } | Call::CopyImage { .. }) {
+            self.compare(call);
+        }
+        Ok(())
+    }
+
+    fn samples(&mut self, query: Query) -> Result<u64> {
+        let [gl, emulated] = [self.gl.samples(query)?, self.emulator.samples(query)?];
+        assert_eq!(gl, emulated, "samples of {}", query.0);
+        Ok(gl)
+    }
+}
+
+impl LockStep<'_, '_> {
+    fn compare(&mut self, call: &Call) {
+        for Watched { map, format } in self.watched.clone() {
+            if format.has_depth() {
+                self.compare_depths(call, map, format);
+            } else {
+                self.compare_colors(call, map);
+            }
+        }
+    }
+
+    fn compare_depths(&mut self, call: &Call, map: Map, format: Format) {
+        let (Ok(gl), Ok(emulated)) = (self.gl.read_depths(map), self.emulator.depths(map)) else {
+            return;
+        };
+        let stencils = self.gl.read_stencils(map).unwrap();
+        let emulated_stencils = self.emulator.stencils(map).unwrap();
+        for &pixel in &self.pixels {
+            let depth = raw(format, gl[pixel]);
+            assert!(
+                depth == emulated[pixel] && stencils[pixel] == emulated_stencils[pixel],
+                "{map} after {call} at pixel {pixel}: OpenGL has depth {depth:?} and stencil {}, the emulated pixel \
+                 {:?} and {}",
+                stencils[pixel],
+                emulated[pixel],
+                emulated_stencils[pixel]
+            );
+            self.compared += 1;
+        }
+    }
+
+    fn compare_colors(&mut self, call: &Call, map: Map) {
+        let (Ok(gl), Ok(emulated)) = (self.gl.read_colors(map), self.emulator.colors(map)) else {
+            return;
+        };
+        for &pixel in &self.pixels {
+            let off = gl[pixel]
+                .iter()
+                .zip(emulated[pixel])
+                .map(|(a, b)| (a - b).abs());
+            let off = off.fold(0.0, f32::max);
+            assert!(
+                off <= self.color_bound,
+                "{map} after {call} at pixel {pixel}: OpenGL has {:?}, the emulated pixel {:?}",
+                gl[pixel],
+                emulated[pixel]
+            );
+            self.compared += 1;
+        }
+    }
+}
+
+/// A depth as the emulated pixel stores it. GL reads a fixed-point depth back as a quotient, of which the integer is the
+/// nearest.
+fn raw(format: Format, depth: f32) -> f32 {
+    let scale = match format {
+        Format::Depth24Stencil8 => 16_777_215.0,
+        Format::Depth16 => 65_535.0,
+        _ => return depth,
+    };
+    (f64::from(depth) * scale).round() as f32
+}
+
+/// Every surface of every pixel of the scene that the machine has, bottom row first: the transparent fragments as OpenGL
+/// makes them, whatever lies before them, and the opaque surface that OpenGL keeps.
+///
+/// The machine must have the maps of [`vtk::OPAQUE_FIRST`] and GL's initial state; its state is left anywhere.
+pub fn surfaces(gl: &mut GlMachine<'_>, scene: &Scene, image: Map) -> Vec<Vec<Surface>> {
+    const NOTHING: Map = Map::named("nothing");
+    run(&vtk::OPAQUE_FIRST, &[], Variables::new(), gl).unwrap();
+    let opaque_depths = gl.read_depths(vtk::OPAQUE_DEPTH).unwrap();
+    let opaque_colors = gl.read_colors(image).unwrap();
+    gl.allocate(NOTHING, Format::Depth32FStencil8).unwrap();
+    let target = Target("nothing");
+    gl.target_of(target, &[], Some(NOTHING)).unwrap();
+    gl.perform(&Call::BindFramebuffer {
+        framebuffer: target,
+    })
+    .unwrap();
+    gl.perform(&Call::Clear {
+        mask: DEPTH_BUFFER_BIT,
+    })
+    .unwrap();
+    let mut captured = capture(gl, NOTHING, 1 << 22).unwrap();
+    captured.sort_by_key(|fragment| fragment.order);
+    let [width, height] = gl.size();
+    let mut pixels = vec![Vec::new(); (width * height) as usize];
+    for fragment in captured {
+        pixels[(fragment.y * width + fragment.x) as usize].push(Surface {
+            fragment: Fragment {
+                depth: fragment.depth,
+                color: fragment.color,
+                order: fragment.order,
+            },
+            kind: kind_of(scene, fragment.order),
+        });
+    }
+    if scene.meshes.iter().any(|mesh| mesh.opaque) {
+        for (pixel, (depth, color)) in pixels
+            .iter_mut()
+            .zip(opaque_depths.iter().zip(opaque_colors))
+        {
+            if *depth < 1.0 {
+                pixel.push(Surface {
+                    fragment: Fragment {
+                        depth: *depth,
+                        color: color.into(),
+                        order: u32::MAX,
+                    },
+                    kind: Kind::Opaque,
+                });
+            }
+        }
+    }
+    pixels
+}
+
+/// Among what the triangle with this place in the order of submission is drawn.
+fn kind_of(scene: &Scene, order: u32) -> Kind {
+    let mut end = 0;
+    for mesh in &scene.meshes {
+        end += mesh.triangles.len() as u32;
+        if order < end {
+            return match (mesh.opaque, mesh.sorted) {
+                (true, _) => Kind::Opaque,
+                (false, true) => Kind::Sorted,
+                (false, false) => Kind::Unsorted,
+            };
+        }
+    }
+    panic!("no mesh has triangle {order}")
+}
