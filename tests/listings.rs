@@ -175,6 +175,12 @@ fn every_amendment_names_a_test_that_exists() {
         amendments.extend_from_slice(beside);
         in_force(listing.steps, &mut amendments);
     }
+    for (_, _, beside) in papers().iter().flat_map(|paper| paper.algorithms) {
+        for amendment in *beside {
+            let test = amendment.test;
+            assert!(tests.contains(&format!("fn {test}()")), "{test}");
+        }
+    }
     assert!(amendments.contains(&vtk::UNDER) && amendments.contains(&vtk::COUNT_THE_LAYER));
     for amendment in amendments {
         assert!(

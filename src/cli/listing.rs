@@ -4,7 +4,8 @@ use std::process::ExitCode;
 
 use clap::Args;
 use onionskin::papers::papers;
-use onionskin::steps::{Amendment, Recorder, Variables, print, run};
+use onionskin::steps::pseudo::{self, Algorithm, Line};
+use onionskin::steps::{self, Amendment, Recorder, Variables, print, run};
 use onionskin::{Error, Result};
 
 use super::output::say;
@@ -36,60 +37,103 @@ Examples:
 impl Listing {
     pub(super) fn run(self) -> Result<ExitCode> {
         let Some(name) = &self.name else {
-            for paper in papers() {
-                say(paper.citation)?;
-                for (key, listing, _) in paper.listings {
-                    let name = format!("{}/{key}", paper.key);
-                    say(format_args!("  {name:<24} {}", listing.title))?;
-                }
-            }
-            return Ok(ExitCode::SUCCESS);
+            return index();
         };
-        let (paper_key, listing_key) = name
+        let texts = self.texts(name)?;
+        if texts.is_empty() {
+            return Err(unknown(name));
+        }
+        say(texts.join("\n").trim_end_matches('\n'))?;
+        Ok(ExitCode::SUCCESS)
+    }
+
+    /// What is printed for a name: a paper's, for all that it has, or one of its listings' or algorithms'.
+    fn texts(&self, name: &str) -> Result<Vec<String>> {
+        let (paper, wanted) = name
             .split_once('/')
-            .map_or((name.as_str(), None), |(p, l)| (p, Some(l)));
-        let mut found = false;
-        for paper in papers().iter().filter(|paper| paper.key == paper_key) {
-            for (_, listing, amendments) in paper
-                .listings
-                .iter()
-                .filter(|(key, ..)| listing_key.is_none_or(|k| k == *key))
-            {
-                if found {
-                    say("")?;
+            .map_or((name, None), |(p, l)| (p, Some(l)));
+        let is_wanted = |key: &str| wanted.is_none_or(|wanted| wanted == key);
+        let mut texts = Vec::new();
+        for paper in papers().iter().filter(|other| other.key == paper) {
+            for (key, listing, amendments) in paper.listings {
+                if is_wanted(key) {
+                    let head = format!("// {}: {}\n", listing.source, listing.title);
+                    texts.push(head + &self.listing(listing, amendments)?);
                 }
-                found = true;
-                say(format_args!("// {}: {}", listing.source, listing.title))?;
-                let amendments = if self.as_printed { &[] } else { *amendments };
-                let text = match self.unroll {
-                    Some(rounds) => unroll(listing, amendments, rounds)?,
-                    None => print::listing(listing, amendments),
-                };
-                say(text.trim_end_matches('\n'))?;
+            }
+            for (key, algorithm, amendments) in paper.algorithms {
+                if is_wanted(key) {
+                    let head = format!("// {}: {}\n", algorithm.source, algorithm.title);
+                    texts.push(head + &self.algorithm(name, algorithm, amendments)?);
+                }
             }
         }
-        if found {
-            return Ok(ExitCode::SUCCESS);
+        Ok(texts)
+    }
+
+    fn listing(&self, listing: &steps::Listing, amendments: &[Amendment]) -> Result<String> {
+        let amendments = if self.as_printed { &[] } else { amendments };
+        match self.unroll {
+            Some(rounds) => unroll(listing, amendments, rounds),
+            None => Ok(print::listing(listing, amendments)),
         }
-        let all = papers().iter().flat_map(|p| {
-            p.listings
-                .iter()
-                .map(move |(key, ..)| format!("{}/{key}", p.key))
-        });
-        Err(Error::usage(
-            format!("there is no listing '{name}'"),
-            format!("the listings are {}", all.collect::<Vec<_>>().join(", ")),
-        ))
+    }
+
+    fn algorithm(
+        &self,
+        name: &str,
+        algorithm: &Algorithm,
+        amendments: &[Amendment<Line>],
+    ) -> Result<String> {
+        // A paper as a whole unrolls what it can.
+        if self.unroll.is_some() && name.contains('/') {
+            return Err(Error::usage(
+                format!("{name} is pseudocode, which makes no calls"),
+                "--unroll is for listings; what OpenGL runs for it is carr/hybrid or carr/ideal",
+            ));
+        }
+        let amendments = if self.as_printed { &[] } else { amendments };
+        Ok(pseudo::print(algorithm, amendments))
     }
 }
 
+/// Every name with its title.
+fn index() -> Result<ExitCode> {
+    for paper in papers() {
+        say(paper.citation)?;
+        let listings = paper
+            .listings
+            .iter()
+            .map(|(key, listing, _)| (key, listing.title));
+        let algorithms = paper
+            .algorithms
+            .iter()
+            .map(|(key, algorithm, _)| (key, algorithm.title));
+        for (key, title) in listings.chain(algorithms) {
+            let name = format!("{}/{key}", paper.key);
+            say(format_args!("  {name:<24} {title}"))?;
+        }
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+fn unknown(name: &str) -> Error {
+    let names = papers().iter().flat_map(|paper| {
+        let listings = paper.listings.iter().map(|(key, ..)| *key);
+        let algorithms = paper.algorithms.iter().map(|(key, ..)| *key);
+        listings
+            .chain(algorithms)
+            .map(move |key| format!("{}/{key}", paper.key))
+    });
+    Error::usage(
+        format!("there is no listing '{name}'"),
+        format!("the listings are {}", names.collect::<Vec<_>>().join(", ")),
+    )
+}
+
 /// Every query is answered as if each peel had found one fragment.
-fn unroll(
-    listing: &onionskin::steps::Listing,
-    amendments: &[Amendment],
-    rounds: u32,
-) -> Result<String> {
-    let variables = ["num_passes", "num_layers"]
+fn unroll(listing: &steps::Listing, amendments: &[Amendment], rounds: u32) -> Result<String> {
+    let variables = ["num_passes", "num_layers", "iteration_limit"]
         .into_iter()
         .fold(Variables::new(), |variables, name| {
             variables.with(name, f64::from(rounds))

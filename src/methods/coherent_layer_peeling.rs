@@ -84,9 +84,13 @@ const fn amended(steps: &'static [crate::steps::Step]) -> Listing {
 
 impl CoherentLayerPeeling {
     pub(super) fn new(options: CoherentOptions, color: Format, depth: Format) -> Self {
+        let peeled = Peeled::new(options.as_printed);
         Self {
             options,
-            peeled: Peeled::new(options.as_printed),
+            peeled: match options.amendments {
+                [] => peeled,
+                _ => peeled.guarded(),
+            },
             color,
             depth,
             order: Vec::new(),

@@ -6,9 +6,10 @@ use crate::error::Result;
 use crate::gl::GlMachine;
 use crate::steps::{Amendment, Outcome, Reason, Variables};
 
-/// Whether a loop runs as printed, and after how many iterations it is then given up.
+/// Whether a loop runs as printed, and after how many iterations it is given up.
 pub(super) struct Peeled {
     as_printed: bool,
+    guarded: bool,
     iteration_limit: f64,
 }
 
@@ -16,13 +17,22 @@ impl Peeled {
     pub(super) fn new(as_printed: bool) -> Self {
         Self {
             as_printed,
+            guarded: as_printed,
             iteration_limit: f64::INFINITY,
+        }
+    }
+
+    /// For a loop with a user's own changes.
+    pub(super) fn guarded(self) -> Self {
+        Self {
+            guarded: true,
+            ..self
         }
     }
 
     /// Amended loops end by themselves. As printed, some do not.
     pub(super) fn prepare(&mut self, machine: &mut GlMachine<'_>) -> Result<()> {
-        if self.as_printed {
+        if self.guarded {
             self.iteration_limit = iteration_bound(machine)?;
         }
         Ok(())

@@ -1,6 +1,8 @@
 //! Which listings there are, by paper.
 
+use super::carr_2008::{coherent, hybrid, ideal, passes};
 use super::{everitt_2001, vtk};
+use crate::steps::pseudo::{Algorithm, Line};
 use crate::steps::{Amendment, Listing};
 
 /// A paper and its listings.
@@ -12,6 +14,8 @@ pub struct Paper {
     pub citation: &'static str,
     /// Its listings: name on the command line, listing, and what stands beside it.
     pub listings: &'static [(&'static str, Listing, &'static [Amendment])],
+    /// Its algorithms in pseudocode, likewise.
+    pub algorithms: &'static [(&'static str, Algorithm, &'static [Amendment<Line>])],
 }
 
 /// Every paper whose listings are here.
@@ -28,6 +32,7 @@ pub const fn papers() -> &'static [Paper] {
                 ),
                 ("composite", everitt_2001::COMPOSITE, &[everitt_2001::ALPHA]),
             ],
+            algorithms: &[],
         },
         Paper {
             key: "vtk",
@@ -36,6 +41,30 @@ pub const fn papers() -> &'static [Paper] {
                 ("opaque-first", vtk::OPAQUE_FIRST, &[]),
                 ("keep-layers", vtk::KEEP_LAYERS, &[]),
                 ("on-the-fly", vtk::ON_THE_FLY, &[]),
+            ],
+            algorithms: &[],
+        },
+        Paper {
+            key: "carr",
+            citation: "Nathan Carr, Radomír Měch, Gavin Miller, Coherent Layer Peeling for Transparent \
+                       High-Depth-Complexity Scenes, Graphics Hardware 2008",
+            listings: &[
+                ("pass-1", passes::PASS_1, &[]),
+                ("pass-2", passes::PASS_2, &[]),
+                ("pass-3", passes::PASS_3, &[]),
+                ("pass-4", passes::PASS_4, &[]),
+                ("pass-5", coherent::PASS_5, &[coherent::NO_TESTS]),
+                ("pass-6", coherent::PASS_6, &[coherent::BEFORE_OPAQUE]),
+                ("section-6", passes::SECTION_6, &[coherent::MOVE_DEPTH]),
+                ("coherent-a", coherent::VARIANT_A, &coherent::AMENDMENTS),
+                ("coherent-b", coherent::VARIANT_B, &coherent::AMENDMENTS),
+                ("layer-peeling", hybrid::LAYER_PEELING, &hybrid::AMENDMENTS),
+                ("hybrid", hybrid::HYBRID, &hybrid::AMENDMENTS),
+                ("ideal", ideal::IDEAL, &ideal::AMENDMENTS),
+            ],
+            algorithms: &[
+                ("algorithm-1", hybrid::ALGORITHM_1, &hybrid::AMENDMENTS_1),
+                ("algorithm-2", ideal::ALGORITHM_2, &ideal::AMENDMENTS_2),
             ],
         },
     ]

@@ -52,3 +52,24 @@ impl Amendment {
             .sum::<usize>()
     }
 }
+
+/// The amendments in force: those of the listing that runs, then those of the listing that runs it, and so on.
+pub(super) struct Scope<'a> {
+    pub(super) amendments: &'a [Amendment],
+    pub(super) outer: Option<&'a Scope<'a>>,
+}
+
+impl<'a> Scope<'a> {
+    pub(super) const NOTHING: Self = Self {
+        amendments: &[],
+        outer: None,
+    };
+
+    /// The innermost amendment at the head of `steps`, and the scope outside of its list.
+    pub(super) fn at(&'a self, steps: &[Step]) -> Option<(&'a Amendment, Option<&'a Self>)> {
+        match Amendment::at(self.amendments, steps) {
+            Some(amendment) => Some((amendment, self.outer)),
+            None => self.outer?.at(steps),
+        }
+    }
+}

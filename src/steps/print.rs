@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::amend::Amendment;
+use super::amend::{Amendment, Scope};
 use super::call::*;
 use super::expr::Condition;
 use super::listing::{Dialect, Listing, Step};
@@ -13,7 +13,11 @@ pub fn listing(listing: &Listing, amendments: &[Amendment]) -> String {
         dialect: listing.dialect,
         text: String::new(),
     };
-    printer.steps(listing.steps, amendments, 0);
+    let scope = Scope {
+        amendments,
+        outer: None,
+    };
+    printer.steps(listing.steps, &scope, 0);
     printer.text
 }
 
@@ -27,34 +31,34 @@ impl Printer {
         self.text += &format!("{:1$}{line}\n", "", indent * 2);
     }
 
-    fn block(&mut self, indent: usize, body: &[Step], amendments: &[Amendment]) {
+    fn block(&mut self, indent: usize, body: &[Step], scope: &Scope<'_>) {
         self.line(indent, "{");
-        self.steps(body, amendments, indent + 1);
+        self.steps(body, scope, indent + 1);
         self.line(indent, "}");
     }
 
-    fn steps(&mut self, mut steps: &[Step], amendments: &[Amendment], indent: usize) {
+    fn steps(&mut self, mut steps: &[Step], scope: &Scope<'_>, indent: usize) {
         while let Some((step, rest)) = steps.split_first() {
-            if let Some(amendment) = Amendment::at(amendments, steps) {
+            if let Some((amendment, outer)) = scope.at(steps) {
                 self.line(
                     indent,
                     format_args!("// {}: {}", amendment.key, amendment.why),
                 );
-                self.steps(amendment.amended, &[], indent);
+                self.steps(amendment.amended, outer.unwrap_or(&Scope::NOTHING), indent);
                 steps = &steps[amendment.printed.len()..];
             } else {
-                self.step(step, amendments, indent);
+                self.step(step, scope, indent);
                 steps = rest;
             }
         }
     }
 
-    fn step(&mut self, step: &Step, amendments: &[Amendment], indent: usize) {
+    fn step(&mut self, step: &Step, scope: &Scope<'_>, indent: usize) {
         match *step {
             Step::Call(call) => self.line(indent, self.call(&call)),
             Step::DepthUnit { unit, body } => {
                 self.line(indent, format_args!("depth unit {unit}:"));
-                self.steps(body, amendments, indent + 1);
+                self.steps(body, scope, indent + 1);
             }
             Step::Let { variable, value } => {
                 let end = self.end();
@@ -65,7 +69,7 @@ impl Printer {
                 condition,
                 then,
                 otherwise,
-            } => self.branch(&condition, then, otherwise, amendments, indent),
+            } => self.branch(&condition, then, otherwise, scope, indent),
             Step::For {
                 variable: i,
                 from,
@@ -73,7 +77,7 @@ impl Printer {
                 body,
             } => {
                 self.line(indent, format_args!("for ({i}={from}; {i}<{to}; {i}++)"));
-                self.block(indent, body, amendments);
+                self.block(indent, body, scope);
             }
             Step::ForDown {
                 variable: i,
@@ -81,7 +85,7 @@ impl Printer {
                 body,
             } => {
                 self.line(indent, format_args!("for ({i}={from}-1; {i}>=0; {i}--)"));
-                self.block(indent, body, amendments);
+                self.block(indent, body, scope);
             }
             Step::Stop { when, why } => {
                 let end = self.end();
@@ -95,9 +99,13 @@ impl Printer {
                     indent,
                     format_args!("// {}: {}", listing.source, listing.title),
                 );
-                let outer = std::mem::replace(&mut self.dialect, listing.dialect);
-                self.steps(listing.steps, amendments, indent);
-                self.dialect = outer;
+                let dialect = std::mem::replace(&mut self.dialect, listing.dialect);
+                let inner = Scope {
+                    amendments,
+                    outer: Some(scope),
+                };
+                self.steps(listing.steps, &inner, indent);
+                self.dialect = dialect;
             }
         }
     }
@@ -107,21 +115,21 @@ impl Printer {
         condition: &Condition,
         then: &[Step],
         otherwise: &[Step],
-        amendments: &[Amendment],
+        scope: &Scope<'_>,
         indent: usize,
     ) {
         self.line(indent, format_args!("if({condition})"));
         let mut arm = |body: &[Step]| match body {
             // A single statement needs no braces.
-            [_] => self.steps(body, amendments, indent + 1),
-            _ => self.block(indent, body, amendments),
+            [_] => self.steps(body, scope, indent + 1),
+            _ => self.block(indent, body, scope),
         };
         arm(then);
         if !otherwise.is_empty() {
             self.line(indent, "else");
             match otherwise {
-                [_] => self.steps(otherwise, amendments, indent + 1),
-                _ => self.block(indent, otherwise, amendments),
+                [_] => self.steps(otherwise, scope, indent + 1),
+                _ => self.block(indent, otherwise, scope),
             }
         }
     }
@@ -136,7 +144,7 @@ impl Printer {
     fn call(&self, call: &Call) -> String {
         let said = match self.dialect {
             Dialect::Phrases => phrase(call),
-            Dialect::Calls => None,
+            Dialect::Calls => short_form(call),
         };
         said.unwrap_or_else(|| {
             let (name, arguments) = signature(call);
@@ -146,6 +154,19 @@ impl Printer {
                 .collect();
             format!("{name}({}){}", values.join(", "), self.end())
         })
+    }
+}
+
+/// Carr et al.'s short forms of two masks.
+fn short_form(call: &Call) -> Option<String> {
+    match *call {
+        Call::Clear {
+            mask: super::gl::COLOR_AND_DEPTH_BUFFER_BITS,
+        } => Some("glClear(COLOR_AND_DEPTH_BUFFER_BITS);".into()),
+        Call::Clear {
+            mask: super::gl::DEPTH_AND_STENCIL_BUFFER_BITS,
+        } => Some("glClear(DEPTH_AND_STENCIL_BUFFER_BITS);".into()),
+        _ => None,
     }
 }
 

@@ -1,6 +1,6 @@
 //! Walking a listing: evaluates what is computed, resolves what is named, and hands the calls to a machine.
 
-use super::amend::Amendment;
+use super::amend::{Amendment, Scope};
 use super::call::{Call, Index, Map, Query, Target};
 use super::expr::{Condition, Expr, Variables};
 use super::format::Format;
@@ -74,27 +74,6 @@ pub fn run(
 struct Walk<'a, M> {
     machine: &'a mut M,
     outcome: Outcome,
-}
-
-/// The amendments in force: those of the listing that runs, then those of the listing that runs it, and so on.
-struct Scope<'a> {
-    amendments: &'a [Amendment],
-    outer: Option<&'a Scope<'a>>,
-}
-
-impl<'a> Scope<'a> {
-    const NOTHING: Self = Self {
-        amendments: &[],
-        outer: None,
-    };
-
-    /// The innermost amendment at the head of `steps`, and the scope outside of its list.
-    fn at(&'a self, steps: &[Step]) -> Option<(&'a Amendment, Option<&'a Self>)> {
-        match Amendment::at(self.amendments, steps) {
-            Some(amendment) => Some((amendment, self.outer)),
-            None => self.outer?.at(steps),
-        }
-    }
 }
 
 /// Whether the innermost loop goes on.
