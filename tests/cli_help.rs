@@ -2,7 +2,7 @@
 
 use onionskin::methods::registry;
 use onionskin::papers::papers;
-use onionskin::steps::{diff, print};
+use onionskin::steps::{diff, print, pseudo};
 
 mod cli_kit;
 #[path = "common/golden.rs"]
@@ -130,6 +130,10 @@ fn without_a_name_the_listings_are_listed_by_paper() {
             let name = format!("{}/{key}", paper.key);
             expected += &format!("  {name:<24} {}\n", listing.title);
         }
+        for (key, algorithm, _) in paper.algorithms {
+            let name = format!("{}/{key}", paper.key);
+            expected += &format!("  {name:<24} {}\n", algorithm.title);
+        }
     }
     assert_eq!(result(&["listing"]), expected);
 }
@@ -141,6 +145,24 @@ fn a_listing_is_printed_as_amended_under_its_title() {
             let (title, text) = titled(&result(&["listing", &format!("{}/{key}", paper.key)]));
             assert_eq!(title, format!("// {}: {}", listing.source, listing.title));
             assert_eq!(text, print::listing(listing, amendments));
+        }
+    }
+}
+
+#[test]
+fn an_algorithm_is_printed_as_amended_or_as_printed_under_its_title() {
+    for paper in papers() {
+        for (key, algorithm, amendments) in paper.algorithms {
+            let name = format!("{}/{key}", paper.key);
+            let (title, text) = titled(&result(&["listing", &name]));
+            assert_eq!(
+                title,
+                format!("// {}: {}", algorithm.source, algorithm.title)
+            );
+            assert_eq!(text, pseudo::print(algorithm, amendments));
+            let (_, text) = titled(&result(&["listing", &name, "--as-printed"]));
+            assert_eq!(text, pseudo::print(algorithm, &[]));
+            refused(&["listing", &name, "--unroll", "2"]).says(&["pseudocode"]);
         }
     }
 }
@@ -172,7 +194,9 @@ fn a_listing_of_two_rounds_is_unrolled_into_its_calls() {
 #[test]
 fn a_paper_alone_gives_all_of_its_listings() {
     for paper in papers() {
-        let each = paper.listings.iter().map(|(key, ..)| {
+        let listings = paper.listings.iter().map(|(key, ..)| key);
+        let algorithms = paper.algorithms.iter().map(|(key, ..)| key);
+        let each = listings.chain(algorithms).map(|key| {
             let name = format!("{}/{key}", paper.key);
             result(&["listing", &name])
         });

@@ -4,6 +4,7 @@ mod check;
 mod compare;
 mod doctor;
 mod listing;
+mod method_options;
 mod methods;
 mod output;
 mod progress;

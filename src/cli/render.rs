@@ -5,10 +5,11 @@ use std::process::ExitCode;
 
 use clap::Args;
 use onionskin::image::{Comparison, Encoding, FileKind, check_writable};
-use onionskin::methods::{Compositing, DepthPeelingOptions, Frame, Stats};
-use onionskin::{Error, Method, Result};
+use onionskin::methods::{Frame, Stats, registry};
+use onionskin::{Method, Result};
 
 use super::compare::FRAMES;
+use super::method_options::MethodOptions;
 use super::output::{print_json, say};
 use super::progress::Progress;
 use super::record::Record;
@@ -23,9 +24,8 @@ use super::setup::{SCENE_FILES, Setup};
 pub(super) struct Render {
     #[command(flatten)]
     setup: Setup,
-    /// The method: depth-peeling, exact, painter ...; `onionskin methods` describes them all
-    #[arg(short, long, default_value = "depth-peeling")]
-    method: String,
+    #[command(flatten)]
+    method: MethodOptions,
     /// Where the image goes: .png (8 bits) or .exr (32-bit float)
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
@@ -35,33 +35,20 @@ pub(super) struct Render {
     /// Print one JSON object and nothing else; adds the error against the exact image
     #[arg(long)]
     json: bool,
-    /// At most this many peels, nearest first; 0 means no limit, as VTK documents it
-    #[arg(long, default_value_t = 0, value_name = "N", help_heading = PEELING)]
-    peels: u32,
-    /// Stop after a peel that changed fewer pixels than this part of the image; 0 is exact
-    #[arg(long, default_value_t = 0.0, value_name = "0..1", help_heading = PEELING)]
-    occlusion_ratio: f64,
-    /// Keep every layer and write it beside the image: FILE-layer-0.png is the nearest, and so on
-    #[arg(long, help_heading = PEELING)]
-    layers: bool,
-    /// Run the paper's listing with nothing amended; it needs --peels, because it has no way to find out when to stop
-    #[arg(long, help_heading = PEELING)]
-    as_printed: bool,
 }
-
-const PEELING: &str = "Options of depth-peeling";
 
 const EXAMPLES: &str = "\
 Examples:
   onionskin render model.obj -o model.png                               the exact image
   onionskin render scene.toml -m painter -o painter.exr --size 800x600  triangles sorted
   onionskin render scene.toml -o four.png --peels 4 --layers           the four nearest layers
+  onionskin render scene.toml -m coherent-layer-peeling-a -o a.png --sort objects
   onionskin render scene.toml -o scene.png --json | jq .lost";
 
 impl Render {
     pub(super) fn run(self) -> Result<ExitCode> {
         // Whatever can be wrong with the arguments is said before anything long begins.
-        let method = self.method()?;
+        let method = self.method.method()?;
         FileKind::of(&self.output)?;
         check_writable(&self.output)?;
         let scene = self.setup.scene()?;
@@ -100,7 +87,11 @@ impl Render {
             Encoding::Linear
         };
         // Listing 1 as printed keeps its layers whether they are asked for or not.
-        let layers = if self.layers { &frame.layers[..] } else { &[] };
+        let layers = if self.method.layers {
+            &frame.layers[..]
+        } else {
+            &[]
+        };
         let paths: Vec<_> = (0..layers.len()).map(|n| self.layer_path(n)).collect();
         for path in &paths {
             check_writable(path)?;
@@ -109,34 +100,6 @@ impl Render {
             layer.color.save_as(path, encoding)?;
         }
         frame.image.save_as(&self.output, encoding)
-    }
-
-    fn method(&self) -> Result<Method> {
-        let method: Method = self.method.parse()?;
-        let peels =
-            self.peels != 0 || self.occlusion_ratio != 0.0 || self.layers || self.as_printed;
-        match method {
-            Method::DepthPeeling(_) => {
-                let options = DepthPeelingOptions {
-                    maximum_number_of_peels: self.peels,
-                    occlusion_ratio: self.occlusion_ratio,
-                    compositing: if self.layers {
-                        Compositing::KeepLayers
-                    } else {
-                        Compositing::OnTheFly
-                    },
-                    as_printed: self.as_printed,
-                    amendments: &[],
-                };
-                options.check()?;
-                Ok(Method::DepthPeeling(options))
-            }
-            _ if peels => Err(Error::usage(
-                format!("{method} has no --peels, --occlusion-ratio, --layers or --as-printed"),
-                "they are for depth-peeling",
-            )),
-            _ => Ok(method),
-        }
     }
 
     fn layer_path(&self, number: usize) -> PathBuf {
@@ -158,10 +121,12 @@ impl Render {
 /// What a user has to know about an image that is not whole.
 pub(super) fn loss(stats: &Stats) -> Option<String> {
     let lost = stats.lost.filter(|&lost| lost > 0)?;
+    let entry = registry().iter().find(|entry| entry.name == stats.method)?;
     Some(format!(
-        "{lost} of {} fragments are not in the image of {} (stopped: {}; of fragments with equal depths it keeps one)",
+        "{lost} of {} fragments are not in the image of {} (stopped: {}; of equal depths: {})",
         stats.fragments,
         stats.method,
-        stats.stopped_text()
+        stats.stopped_text(),
+        entry.ties
     ))
 }

@@ -1,0 +1,184 @@
+//! Arguments that choose a method and what can be chosen about it.
+
+use clap::Args;
+use onionskin::methods::{
+    CoherentOptions, Compositing, DepthPeelingOptions, IdealOptions, LayerPeelingOptions, Sorting,
+};
+use onionskin::{Error, Method, Result};
+
+const PEELING: &str = "Options of depth-peeling";
+const PAPERS: &str =
+    "Options of depth-peeling, layer-peeling, hybrid-layer-peeling and the coherent methods";
+const COHERENT: &str = "Options of the coherent methods";
+
+#[derive(Args)]
+pub(super) struct MethodOptions {
+    /// The method: depth-peeling, exact, painter ...; `onionskin methods` describes them all
+    #[arg(short, long, default_value = "depth-peeling")]
+    method: String,
+    /// At most this many peels, nearest first; 0 means no limit, as VTK documents it
+    #[arg(long, default_value_t = 0, value_name = "N", help_heading = PEELING)]
+    peels: u32,
+    /// Stop after a peel that changed fewer pixels than this part of the image; 0 is exact
+    #[arg(long, default_value_t = 0.0, value_name = "0..1", help_heading = PEELING)]
+    occlusion_ratio: f64,
+    /// Keep every layer and write it beside the image: FILE-layer-0.png is the nearest, and so on
+    #[arg(long, help_heading = PEELING)]
+    pub(super) layers: bool,
+    /// Run the paper's text with nothing amended. Everitt's needs --peels, because it has no way to find out when to
+    /// stop; loops that would never end are given up
+    #[arg(long, help_heading = PAPERS)]
+    as_printed: bool,
+    /// How triangles are sorted beforehand: submission, objects or buckets=N [default: buckets=1024]
+    #[arg(long, value_name = "HOW", value_parser = sorting, help_heading = COHERENT)]
+    sort: Option<Sorting>,
+    /// Improvements that the paper only points at, separated by commas: tie-friendly, early-stop, batches=N for variants
+    /// A and B; tight-bound for the ideal GPU
+    #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = improvement, help_heading = COHERENT)]
+    improve: Vec<Improvement>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Improvement {
+    TieFriendly,
+    EarlyStop,
+    Batches(u32),
+    TightBound,
+}
+
+impl MethodOptions {
+    /// The method with its options.
+    ///
+    /// # Errors
+    /// If there is no such method, or it has no such option.
+    pub(super) fn method(&self) -> Result<Method> {
+        let method: Method = self.method.parse()?;
+        let peels = self.peels != 0 || self.occlusion_ratio != 0.0 || self.layers;
+        let sorted = self.sort.is_some() || !self.improve.is_empty();
+        match method {
+            Method::DepthPeeling(_) if !sorted => self.depth_peeling(),
+            Method::LayerPeeling(_) if !peels && !sorted => {
+                Ok(Method::LayerPeeling(self.layer_peeling()))
+            }
+            Method::HybridLayerPeeling(_) if !peels && !sorted => {
+                Ok(Method::HybridLayerPeeling(self.layer_peeling()))
+            }
+            Method::CoherentLayerPeeling(options) if !peels => self.coherent(options),
+            Method::IdealCoherentLayerPeeling(options) if !peels => self.ideal(options),
+            _ if peels || self.as_printed && !sorted => Err(Error::usage(
+                format!("{method} has no --peels, --occlusion-ratio, --layers or --as-printed"),
+                "they are for depth-peeling; the peeling methods of Carr et al. have --as-printed",
+            )),
+            _ if sorted => Err(Error::usage(
+                format!("{method} has no --sort or --improve"),
+                "they are for coherent-layer-peeling-a, -b and ideal-coherent-layer-peeling",
+            )),
+            _ => Ok(method),
+        }
+    }
+
+    fn depth_peeling(&self) -> Result<Method> {
+        let options = DepthPeelingOptions {
+            maximum_number_of_peels: self.peels,
+            occlusion_ratio: self.occlusion_ratio,
+            compositing: if self.layers {
+                Compositing::KeepLayers
+            } else {
+                Compositing::OnTheFly
+            },
+            as_printed: self.as_printed,
+            amendments: &[],
+        };
+        options.check()?;
+        Ok(Method::DepthPeeling(options))
+    }
+
+    fn layer_peeling(&self) -> LayerPeelingOptions {
+        LayerPeelingOptions {
+            as_printed: self.as_printed,
+        }
+    }
+
+    fn coherent(&self, options: CoherentOptions) -> Result<Method> {
+        let mut options = CoherentOptions {
+            sorting: self.sort.unwrap_or(options.sorting),
+            as_printed: self.as_printed,
+            ..options
+        };
+        for improvement in &self.improve {
+            match *improvement {
+                Improvement::TieFriendly => options.tie_friendly = true,
+                Improvement::EarlyStop => options.stop_early = true,
+                Improvement::Batches(count) => options.batches = count,
+                Improvement::TightBound => {
+                    return Err(Error::usage(
+                        "tight-bound is an improvement of Algorithm 2",
+                        "it is for ideal-coherent-layer-peeling",
+                    ));
+                }
+            }
+        }
+        self.not_both()?;
+        Ok(Method::CoherentLayerPeeling(options))
+    }
+
+    fn ideal(&self, options: IdealOptions) -> Result<Method> {
+        if let Some(other) = self.improve.iter().find(|i| **i != Improvement::TightBound) {
+            return Err(Error::usage(
+                format!("the ideal GPU has no improvement {other:?}"),
+                "it has tight-bound; the others are for coherent-layer-peeling-a and -b",
+            ));
+        }
+        self.not_both()?;
+        Ok(Method::IdealCoherentLayerPeeling(IdealOptions {
+            sorting: self.sort.unwrap_or(options.sorting),
+            tight_bound: !self.improve.is_empty(),
+            as_printed: self.as_printed,
+        }))
+    }
+
+    fn not_both(&self) -> Result<()> {
+        if self.as_printed && !self.improve.is_empty() {
+            return Err(Error::usage(
+                "--as-printed and --improve exclude each other",
+                "choose one of them",
+            ));
+        }
+        Ok(())
+    }
+}
+
+fn sorting(text: &str) -> Result<Sorting> {
+    match text.split_once('=') {
+        None if text == "submission" => Ok(Sorting::Submission),
+        None if text == "objects" => Ok(Sorting::Objects),
+        None if text == "buckets" => Ok(Sorting::default()),
+        Some(("buckets", count)) if count.parse::<u32>().is_ok_and(within_reason) => {
+            Ok(Sorting::Buckets(count.parse().unwrap_or(1)))
+        }
+        _ => Err(Error::usage(
+            format!("'{text}' is no way to sort"),
+            "write submission, objects, or buckets=N with N from 1 to 16777216",
+        )),
+    }
+}
+
+fn improvement(text: &str) -> Result<Improvement> {
+    match text.split_once('=') {
+        None if text == "tie-friendly" => Ok(Improvement::TieFriendly),
+        None if text == "early-stop" => Ok(Improvement::EarlyStop),
+        None if text == "tight-bound" => Ok(Improvement::TightBound),
+        Some(("batches", count)) if count.parse::<u32>().is_ok_and(|n| (1..=1000).contains(&n)) => {
+            Ok(Improvement::Batches(count.parse().unwrap_or(1)))
+        }
+        _ => Err(Error::usage(
+            format!("'{text}' is no improvement"),
+            "write tie-friendly, early-stop, tight-bound, or batches=N with N from 1 to 1000",
+        )),
+    }
+}
+
+/// As many buckets as still fit into memory.
+fn within_reason(buckets: u32) -> bool {
+    (1..=1 << 24).contains(&buckets)
+}
