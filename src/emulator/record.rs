@@ -78,7 +78,7 @@ impl fmt::Display for Draw {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(
             f,
-            "  surface   depth    fate          stencil      depth buffer"
+            "  surface   depth        fate          stencil      depth buffer"
         )?;
         for fate in &self.fates {
             let [before, after] = fate.stencil;
@@ -94,7 +94,7 @@ impl fmt::Display for Draw {
             let name = format!("s{}", fate.order);
             writeln!(
                 f,
-                "  {name:<9} {:<8} {:<13} {stencil:<12} {depth}",
+                "  {name:<9} {:<12} {:<13} {stencil:<12} {depth}",
                 fate.depth, fate.outcome
             )?;
         }

@@ -15,6 +15,8 @@ pub enum Sorting {
     /// By centroid, into this many equally deep buckets between the nearest and the farthest; within a bucket as the
     /// scene has them. 0 and 1 sort nothing.
     Buckets(u32),
+    /// The same buckets, the farthest first: the worst that can be done, to see what sorting is worth.
+    Reversed(u32),
 }
 
 impl Default for Sorting {
@@ -36,7 +38,12 @@ impl Sorting {
                 let depth = |&mesh: &u32| middle_depth(scene, mesh);
                 every_triangle(scene, &nearest_first(transparent, depth))
             }
-            Self::Buckets(count) => in_buckets(scene, &transparent, count.max(1) as usize),
+            Self::Buckets(count) => in_buckets(scene, &transparent, count).concat(),
+            Self::Reversed(count) => {
+                let mut buckets = in_buckets(scene, &transparent, count);
+                buckets.reverse();
+                buckets.concat()
+            }
         });
         order
     }
@@ -88,8 +95,9 @@ fn middle_depth(scene: &Scene, mesh: u32) -> f32 {
     bounds.map_or(0.0, |bounds| bounds.centre().dot(forward) as f32)
 }
 
-/// A counting sort.
-fn in_buckets(scene: &Scene, meshes: &[u32], count: usize) -> Vec<[u32; 2]> {
+/// Linear in the number of triangles.
+fn in_buckets(scene: &Scene, meshes: &[u32], count: u32) -> Vec<Vec<[u32; 2]>> {
+    let count = count.max(1) as usize;
     let triangles = every_triangle(scene, meshes);
     let depths: Vec<f32> = triangles.iter().map(|&t| depth_of(scene, t)).collect();
     let near = depths.iter().copied().fold(f32::INFINITY, f32::min);
@@ -103,7 +111,7 @@ fn in_buckets(scene: &Scene, meshes: &[u32], count: usize) -> Vec<[u32; 2]> {
     for (triangle, depth) in triangles.into_iter().zip(depths) {
         buckets[bucket_of(depth)].push(triangle);
     }
-    buckets.into_iter().flatten().collect()
+    buckets
 }
 
 #[cfg(test)]
@@ -130,6 +138,15 @@ mod tests {
             let scene = stack(order);
             assert!(is_sorted(&scene, &Sorting::Buckets(64).order(&scene)));
         }
+    }
+
+    #[test]
+    fn reversed_buckets_are_as_unsorted_as_can_be() {
+        let scene = stack(Order::FrontToBack);
+        let mut order = Sorting::Reversed(64).order(&scene);
+        assert!(!is_sorted(&scene, &order));
+        order.reverse();
+        assert!(is_sorted(&scene, &order));
     }
 
     #[test]

@@ -1,0 +1,194 @@
+//! Figure 2 of Carr et al. (2008), pass by pass: eleven surfaces at one pixel, submitted as s0 to s10, of which everything
+//! up to s4 has been peeled.
+//!
+//! The emulated pixel says what becomes of each surface; OpenGL runs the same steps beside it, and what both leave in
+//! stencil and depth buffer is printed under each table. The last line of the paper's trace is wrong: see pass 3.
+//!
+//! Writes one picture: a row a pass, a column a surface; grey clipped, red stopped by the stencil test, orange by the depth
+//! test, green passed.
+//!
+//! `cargo run --example 05_figure_2_pass_by_pass [FOLDER]`
+
+use onionskin::emulator::{Emulator, Kind, Outcome, Record, Surface};
+use onionskin::fragment::{Fragment, Rgba};
+use onionskin::gl::{Geometry, GlMachine, capture};
+use onionskin::papers::carr_2008::coherent::{self, PASS_5, PASS_6, RANGE_1, RANGE_3, RANGE_5};
+use onionskin::papers::carr_2008::passes::{PASS_1, PASS_2, PASS_3, PASS_4};
+use onionskin::papers::carr_2008::{D_SN, DEPTH_BUFFER, PEEL, Z_MIN_POST, Z_MIN_PREV};
+use onionskin::papers::vtk;
+use onionskin::scene::generate::{Quads, quads};
+use onionskin::steps::{Dialect, Format, Listing, Machine, Map, Variables, Workspace, gl::*, run};
+use onionskin::{Context, Image, Result, Scene, steps};
+
+#[path = "common/example.rs"]
+mod example;
+
+/// An order of depth that fits everything the paper says of its figure; there are 18.
+const FRONT_TO_BACK: [usize; 11] = [0, 4, 3, 5, 6, 10, 9, 7, 2, 1, 8];
+
+const PASSES: [(&str, Listing); 6] = [
+    (
+        "Pass 1: count the surfaces that lower the depth",
+        listing(steps! {
+            glBindFramebuffer(PEEL);
+            glColorMask(false, false, false, false);
+            run RANGE_1;
+            run PASS_1;
+            glCopyImageSubData(DEPTH_BUFFER, D_SN);
+        }),
+    ),
+    (
+        "Pass 2: count back to 1; the depth becomes z_min_prev",
+        listing(steps! {
+            run PASS_2;
+            glCopyImageSubData(DEPTH_BUFFER, Z_MIN_PREV);
+        }),
+    ),
+    (
+        "Pass 3: count the run from s_n on (the paper: s9 'sets the depth'; it does not)",
+        listing(steps! {
+            run RANGE_3 amended by &[coherent::HALF_OPEN];
+            run PASS_3;
+        }),
+    ),
+    (
+        "Pass 4: skip the run; the depth becomes z_min_post",
+        listing(steps! {
+            run PASS_4;
+            glCopyImageSubData(DEPTH_BUFFER, Z_MIN_POST);
+        }),
+    ),
+    (
+        "Pass 5: composite the run",
+        listing(steps! {
+            glDisable(STENCIL_TEST);
+            glDisable(DEPTH_TEST);
+            glColorMask(true, true, true, true);
+            run RANGE_5 amended by &[coherent::HALF_OPEN];
+            run PASS_5;
+        }),
+    ),
+    (
+        "Pass 6: composite what ends it",
+        listing(steps! {
+            run PASS_6 amended by &[coherent::BEFORE_OPAQUE];
+        }),
+    ),
+];
+
+const fn listing(steps: &'static [steps::Step]) -> Listing {
+    Listing {
+        title: "a pass",
+        source: "Carr et al. 2008, figure 2",
+        dialect: Dialect::Calls,
+        steps,
+    }
+}
+
+fn main() -> Result<()> {
+    let scene = scene()?;
+    let context = Context::headless()?;
+    let mut gl = GlMachine::new(&context, scene.size)?;
+    gl.set_geometry(Geometry::upload(&context, &scene, scene.size)?);
+    furnish(&mut gl)?;
+    gl.begin_frame();
+    run(&vtk::OPAQUE_FIRST, &[], Variables::new(), &mut gl)?;
+    let surfaces = surfaces(&mut gl)?;
+    let s4 = surfaces[4].fragment.depth;
+    let mut emulator = Emulator::new(vec![surfaces]).watching(0);
+    furnish(&mut emulator)?;
+    gl.begin_frame();
+
+    begin(&mut gl, s4)?;
+    begin(&mut emulator, s4)?;
+    let before = emulator.record().draws.len();
+    for (title, pass) in PASSES {
+        run(&pass, &[], Variables::new(), &mut gl)?;
+        run(&pass, &[], Variables::new(), &mut emulator)?;
+        println!("{title}");
+        print!(
+            "{}",
+            emulator.record().draws[emulator.record().draws.len() - 1]
+        );
+        println!(
+            "  OpenGL has: stencil {}, depth {}\n",
+            gl.read_stencils(DEPTH_BUFFER)?[0],
+            gl.read_depths(DEPTH_BUFFER)?[0]
+        );
+    }
+
+    let path = example::output("05_figure_2_pass_by_pass.png")?;
+    picture(emulator.record(), before).save(&path)?;
+    println!("{}", path.display());
+    Ok(())
+}
+
+/// Quads parallel to the screen, submitted as s0 to s10, in one pixel.
+fn scene() -> Result<Scene> {
+    let quad = |s| {
+        let place = FRONT_TO_BACK
+            .iter()
+            .position(|&other| other == s)
+            .unwrap_or(0);
+        quads(&Quads {
+            count: 1,
+            depths: vec![place as f32 * 0.2],
+            ..Quads::default()
+        })
+    };
+    let mut scene = Scene::of("figure 2", (0..11).map(quad).collect::<Result<_>>()?);
+    scene.size = [1, 1];
+    Ok(scene)
+}
+
+/// The same maps for both machines.
+fn furnish(workspace: &mut impl Workspace) -> Result<()> {
+    let (color, depth) = (Format::Rgba32F, Format::Depth32FStencil8);
+    let image = Map::named("image");
+    workspace.allocate(image, color)?;
+    workspace.allocate(vtk::OPAQUE_DEPTH, depth)?;
+    workspace.target_of(vtk::IMAGE, &[image], Some(vtk::OPAQUE_DEPTH))?;
+    coherent::furnish(workspace, color, depth, None)
+}
+
+/// Nothing opaque, and everything up to s4 peeled.
+fn begin(machine: &mut (impl Machine + Workspace), s4: f32) -> Result<()> {
+    run(&vtk::OPAQUE_FIRST, &[], Variables::new(), machine)?;
+    coherent::begin_batch(machine, s4, 1.0)
+}
+
+/// The fragments that OpenGL makes, in the order of submission.
+fn surfaces(gl: &mut GlMachine<'_>) -> Result<Vec<Surface>> {
+    let mut captured = capture(gl, vtk::OPAQUE_DEPTH, 1000)?;
+    captured.sort_by_key(|fragment| fragment.order);
+    let surface = |fragment: &onionskin::gl::CapturedFragment| Surface {
+        fragment: Fragment {
+            depth: fragment.depth,
+            color: fragment.color,
+            // A quad is two triangles, of which one covers the pixel's centre.
+            order: fragment.order / 2,
+        },
+        kind: Kind::Unsorted,
+    };
+    Ok(captured.iter().map(surface).collect())
+}
+
+fn picture(record: &Record, from: usize) -> Image {
+    let square = |outcome| {
+        let color = match outcome {
+            Outcome::Discarded => [0.85; 3],
+            Outcome::StencilFail => [0.8, 0.2, 0.2],
+            Outcome::DepthFail => [0.95, 0.6, 0.15],
+            Outcome::Pass => [0.2, 0.65, 0.3],
+        };
+        Image::filled(44, 44, Rgba::opaque(color))
+    };
+    let fates = record.draws[from..].iter().flat_map(|draw| &draw.fates);
+    let squares: Vec<Image> = fates.map(|fate| square(fate.outcome)).collect();
+    Image::grid(
+        &squares.iter().collect::<Vec<_>>(),
+        FRONT_TO_BACK.len(),
+        4,
+        Rgba::opaque([1.0; 3]),
+    )
+}

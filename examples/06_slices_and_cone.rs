@@ -1,0 +1,73 @@
+//! Slices through a volume with a cone in it (Carr et al. 2008, figures 1 and 3): how the number of iterations grows with
+//! the number of slices.
+//!
+//! Layer peeling takes one per layer. Hybrid layer peeling peels the cone alone, and coherent layer peeling takes whole
+//! runs of slices: both stay where they are.
+//!
+//! Writes one picture: the scene with 64 slices.
+//!
+//! `cargo run --example 06_slices_and_cone [FOLDER]`
+
+use onionskin::methods::Variant;
+use onionskin::scene::generate::{Order, Slices, slices};
+use onionskin::{Context, Method, Renderer, Scene};
+
+#[path = "common/example.rs"]
+mod example;
+
+fn main() -> onionskin::Result<()> {
+    let context = Context::headless()?;
+    let mut renderer = Renderer::new(&context, 320, 240)?;
+    let mut methods = vec![
+        Method::LayerPeeling(Default::default()),
+        Method::HybridLayerPeeling(Default::default()),
+        Method::CoherentLayerPeeling(Variant::A.into()),
+        Method::CoherentLayerPeeling(Variant::B.into()),
+    ];
+    let ideal = Method::IdealCoherentLayerPeeling(Default::default());
+    if ideal
+        .entry()
+        .needs
+        .iter()
+        .all(|extension| context.driver().has(extension))
+    {
+        methods.push(ideal);
+    }
+
+    print!("slices");
+    methods.iter().for_each(|method| print!("  {method}"));
+    println!();
+    for count in [16, 32, 64] {
+        let scene = scene(count)?;
+        print!("{count:6}");
+        for method in &methods {
+            let stats = renderer.render(&scene, method)?.stats;
+            let width = method.to_string().len();
+            print!(
+                "  {:>width$}",
+                format!("{} ({})", stats.iterations, stats.geometry_passes)
+            );
+        }
+        println!();
+    }
+    println!("iterations (geometry passes)");
+
+    let frame = renderer.render(&scene(64)?, &methods[1])?;
+    let path = example::output("06_slices_and_cone.png")?;
+    frame.image.save(&path)?;
+    println!("{}", path.display());
+    Ok(())
+}
+
+fn scene(count: u32) -> onionskin::Result<Scene> {
+    let mut scene = Scene::load_at(example::scene("slices.toml"), Some([320, 240]))?;
+    scene.meshes[0] = slices(&Slices {
+        count,
+        cells: 16,
+        alpha: 12.8 / count as f32,
+        order: Order::FrontToBack,
+        ..Slices::default()
+    })?;
+    scene.meshes[0].sorted = true;
+    Ok(scene)
+}
