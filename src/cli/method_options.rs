@@ -29,7 +29,7 @@ pub(super) struct MethodOptions {
     /// stop; loops that would never end are given up
     #[arg(long, help_heading = PAPERS)]
     as_printed: bool,
-    /// How triangles are sorted beforehand: submission, objects, reversed or buckets=N [default: buckets=1024]
+    /// How triangles are sorted beforehand: submission, objects, reversed or buckets=N [default: buckets=256]
     #[arg(long, value_name = "HOW", value_parser = sorting, help_heading = COHERENT)]
     sort: Option<Sorting>,
     /// Improvements that the paper only points at, separated by commas: tie-friendly, early-stop, batches=N for variants
@@ -153,7 +153,7 @@ fn sorting(text: &str) -> Result<Sorting> {
         None if text == "submission" => Ok(Sorting::Submission),
         None if text == "objects" => Ok(Sorting::Objects),
         None if text == "buckets" => Ok(Sorting::default()),
-        None if text == "reversed" => Ok(Sorting::Reversed(1024)),
+        None if text == "reversed" => Ok(Sorting::Reversed(256)),
         Some(("buckets", count)) if count.parse::<u32>().is_ok_and(within_reason) => {
             Ok(Sorting::Buckets(count.parse().unwrap_or(1)))
         }

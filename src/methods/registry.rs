@@ -149,7 +149,7 @@ pub const fn registry() -> &'static [Entry] {
     ]
 }
 
-const SORTING: Sorting = Sorting::Buckets(1024);
+const SORTING: Sorting = Sorting::Buckets(256);
 
 const COHERENT_A: CoherentOptions = coherent(Variant::A);
 const COHERENT_B: CoherentOptions = coherent(Variant::B);
