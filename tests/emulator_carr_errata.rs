@@ -376,3 +376,23 @@ fn x23_the_tighter_bound_halves_reversed_input() {
         9
     );
 }
+
+// ---- Depth formats ---------------------------------------------------------------------------------------------------
+
+#[test]
+fn depths_of_24_bits_are_a_trap_when_they_are_sampled() {
+    // The shader compares a fragment's own depth, which is not rounded, with one that was stored and sampled, which is;
+    // and llvmpipe does not even sample what it stored. The text asks for "full precision buffers" in section 7 only.
+    let pixels = random_image(8);
+    for which in [Loop::A, Loop::B, Loop::LayerPeeling] {
+        let amendments = which.amendments();
+        let run = |depth| emulate_in(which, &pixels, &amendments, Format::Rgba32F, depth);
+        let (fixed, float) = (run(Format::Depth24Stencil8), run(Format::Depth32FStencil8));
+        println!(
+            "{which:?}: {} of 1024 pixels wrong on 24 bits",
+            fixed.bad(&pixels)
+        );
+        assert!(fixed.bad(&pixels) > 400, "{which:?}");
+        assert_eq!(float.bad(&pixels), 0, "{which:?}");
+    }
+}
