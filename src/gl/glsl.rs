@@ -72,6 +72,18 @@ const FILES: &[(&str, &str)] = &[
         "complexity.frag",
         include_str!("../../glsl/complexity.frag"),
     ),
+    (
+        "common/dual.glsl",
+        include_str!("../../glsl/common/dual.glsl"),
+    ),
+    ("coplanar.frag", include_str!("../../glsl/coplanar.frag")),
+    (
+        "dual/depths.frag",
+        include_str!("../../glsl/dual/depths.frag"),
+    ),
+    ("dual/left.frag", include_str!("../../glsl/dual/left.frag")),
+    ("dual/peel.frag", include_str!("../../glsl/dual/peel.frag")),
+    ("dual/rest.frag", include_str!("../../glsl/dual/rest.frag")),
     ("geometry.vert", include_str!("../../glsl/geometry.vert")),
     (
         "ideal/begin.frag",
@@ -281,11 +293,15 @@ mod tests {
     fn every_file_of_the_folder_is_embedded() {
         let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("glsl");
         let mut found = Vec::new();
-        for place in ["", "common/", "surface/"] {
-            for entry in std::fs::read_dir(folder.join(place)).unwrap() {
-                let entry = entry.unwrap();
-                if entry.file_type().unwrap().is_file() {
-                    found.push(format!("{place}{}", entry.file_name().to_str().unwrap()));
+        let mut folders = vec![folder.clone()];
+        while let Some(folder_here) = folders.pop() {
+            for entry in std::fs::read_dir(folder_here).unwrap() {
+                let path = entry.unwrap().path();
+                if path.is_dir() {
+                    folders.push(path);
+                } else {
+                    let name = path.strip_prefix(&folder).unwrap();
+                    found.push(name.to_str().unwrap().to_owned());
                 }
             }
         }

@@ -286,6 +286,7 @@ impl GlMachine<'_> {
                 Call::CopyImage { from, to } => self.copy(from, to)?,
                 Call::Swap { a, b } => self.swap(a, b)?,
                 Call::Draw { objects } => self.draw(objects)?,
+                Call::DrawBuffer(ref call) => self.draw_buffer(call),
             }
         }
         Ok(())

@@ -9,6 +9,7 @@
 mod capture;
 mod constants;
 mod context;
+mod draw_buffers;
 mod driver;
 mod geometry;
 mod glsl;

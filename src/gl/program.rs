@@ -84,8 +84,9 @@ pub(super) enum Linked {
 }
 
 /// The shaders that draw [`Objects::Screen`]; all others draw surfaces.
-const ON_THE_SCREEN: [&str; 9] = [
+const ON_THE_SCREEN: [&str; 10] = [
     "clip/next_bound",
+    "dual/left",
     "ideal/begin",
     "ideal/begin_as_printed",
     "ideal/begin_tight",

@@ -12,6 +12,7 @@ const fn internal(format: Format) -> u32 {
         Format::Rgba16F => glow::RGBA16F,
         Format::Rgba32F => glow::RGBA32F,
         Format::R32F => glow::R32F,
+        Format::Rg32F => glow::RG32F,
         Format::Depth32FStencil8 => glow::DEPTH32F_STENCIL8,
         Format::Depth24Stencil8 => glow::DEPTH24_STENCIL8,
         Format::Depth16 => glow::DEPTH_COMPONENT16,

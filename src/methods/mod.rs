@@ -3,7 +3,10 @@
 mod batches;
 mod blend;
 mod coherent_layer_peeling;
+pub mod coplanar;
+mod coplanar_depth_peeling;
 mod depth_peeling;
+mod dual_depth_peeling;
 mod exact;
 mod hybrid_layer_peeling;
 mod ideal_coherent_layer_peeling;
@@ -17,7 +20,9 @@ mod sorting;
 mod stats;
 
 pub use coherent_layer_peeling::{CoherentOptions, Variant};
+pub use coplanar_depth_peeling::CoplanarDepthPeelingOptions;
 pub use depth_peeling::{Compositing, DepthPeelingOptions};
+pub use dual_depth_peeling::DualDepthPeelingOptions;
 pub use ideal_coherent_layer_peeling::IdealOptions;
 pub use layer_peeling::LayerPeelingOptions;
 pub use registry::{Entry, Method, registry};
@@ -38,6 +43,11 @@ trait Algorithm {
 
     /// Draws one frame. The machine is in GL's initial state, but for the clear colour, which is the background's.
     fn draw(&mut self, machine: &mut GlMachine<'_>, scene: &Scene) -> Result<Drawn>;
+
+    /// Counts what the frame has left out, if its loop did not: draws that are no part of the method and of its time.
+    fn count_left(&mut self, _: &mut GlMachine<'_>, _: &mut Drawn) -> Result<()> {
+        Ok(())
+    }
 }
 
 /// What a method has done in a frame.
@@ -65,6 +75,8 @@ enum Composited {
     All,
     /// So many.
     Some(u64),
+    /// All but so many.
+    AllBut(u64),
     /// The method cannot tell.
     Unknown,
 }
@@ -74,7 +86,7 @@ impl Composited {
     fn count(self) -> u64 {
         match self {
             Self::Some(count) => count,
-            Self::All | Self::Unknown => 0,
+            Self::All | Self::AllBut(_) | Self::Unknown => 0,
         }
     }
 }

@@ -4,7 +4,9 @@ use std::fmt;
 use std::str::FromStr;
 
 use super::coherent_layer_peeling::{CoherentOptions, Variant};
+use super::coplanar_depth_peeling::CoplanarDepthPeelingOptions;
 use super::depth_peeling::DepthPeelingOptions;
+use super::dual_depth_peeling::DualDepthPeelingOptions;
 use super::ideal_coherent_layer_peeling::{self as ideal, IdealOptions};
 use super::layer_peeling::LayerPeelingOptions;
 use super::sorting::Sorting;
@@ -20,6 +22,10 @@ pub enum Method {
     Painter,
     /// Depth peeling, Everitt 2001 and VTK.
     DepthPeeling(DepthPeelingOptions),
+    /// Dual depth peeling, Bavoil and Myers 2008.
+    DualDepthPeeling(DualDepthPeelingOptions),
+    /// Depth peeling that takes every fragment of each depth, after Vasilakis and Fudos 2013.
+    CoplanarDepthPeeling(CoplanarDepthPeelingOptions),
     /// Layer peeling in two geometry passes an iteration, Carr et al. 2008.
     LayerPeeling(LayerPeelingOptions),
     /// Hybrid layer peeling, Carr et al. 2008, Algorithm 1.
@@ -86,6 +92,30 @@ pub const fn registry() -> &'static [Entry] {
             exact: true,
             ties: "the first submitted, the others lost and counted",
             memory: "pixels (layers x pixels if they are kept)",
+            needs: &[],
+        },
+        Entry {
+            name: "dual-depth-peeling",
+            method: Method::DualDepthPeeling(DualDepthPeelingOptions {
+                maximum_number_of_peels: 0,
+                occlusion_ratio: 0.0,
+                amendments: &[],
+            }),
+            source: "Bavoil and Myers 2008; VTK today",
+            exact: true,
+            ties: "order of submission",
+            memory: "pixels",
+            needs: &[],
+        },
+        Entry {
+            name: "coplanar-depth-peeling",
+            method: Method::CoplanarDepthPeeling(CoplanarDepthPeelingOptions {
+                maximum_number_of_peels: 0,
+            }),
+            source: "Vasilakis and Fudos 2013",
+            exact: true,
+            ties: "order of submission",
+            memory: "pixels",
             needs: &[],
         },
         Entry {
@@ -173,6 +203,8 @@ impl Method {
             Self::Blend => "blend",
             Self::Painter => "painter",
             Self::DepthPeeling(_) => "depth-peeling",
+            Self::DualDepthPeeling(_) => "dual-depth-peeling",
+            Self::CoplanarDepthPeeling(_) => "coplanar-depth-peeling",
             Self::LayerPeeling(_) => "layer-peeling",
             Self::HybridLayerPeeling(_) => "hybrid-layer-peeling",
             Self::CoherentLayerPeeling(options) => match options.variant {

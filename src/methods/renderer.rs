@@ -3,7 +3,9 @@
 use std::time::{Duration, Instant};
 
 use super::coherent_layer_peeling::CoherentLayerPeeling;
+use super::coplanar_depth_peeling::CoplanarDepthPeeling;
 use super::depth_peeling::DepthPeeling;
+use super::dual_depth_peeling::DualDepthPeeling;
 use super::hybrid_layer_peeling::HybridLayerPeeling;
 use super::ideal_coherent_layer_peeling::IdealCoherentLayerPeeling;
 use super::layer_peeling::LayerPeeling;
@@ -177,6 +179,16 @@ impl<'c> Renderer<'c> {
                 options: *options,
                 peeled: Peeled::new(options.as_printed),
             }),
+            Method::DualDepthPeeling(options) => Box::new(DualDepthPeeling {
+                options: *options,
+                color: self.color,
+                end: Variables::new(),
+            }),
+            Method::CoplanarDepthPeeling(options) => Box::new(CoplanarDepthPeeling {
+                options: *options,
+                color: self.color,
+                depth: self.depth,
+            }),
             Method::Exact => Box::new(exact::Exact),
         };
         algorithm.prepare(machine, scene)?;
@@ -187,9 +199,12 @@ impl<'c> Renderer<'c> {
         self.begin(scene)?;
         self.machine.finish();
         let start = Instant::now();
-        let drawn = algorithm.draw(&mut self.machine, scene)?;
+        let mut drawn = algorithm.draw(&mut self.machine, scene)?;
         self.machine.finish();
-        Ok((drawn, start.elapsed().as_secs_f64() * 1e3))
+        let ms = start.elapsed().as_secs_f64() * 1e3;
+        self.machine
+            .aside(|machine| algorithm.count_left(machine, &mut drawn))?;
+        Ok((drawn, ms))
     }
 
     /// GL's initial state and the background's colour.
@@ -220,6 +235,7 @@ impl<'c> Renderer<'c> {
         let lost = match drawn.composited {
             Composited::All => Some(0),
             Composited::Some(composited) => Some(fragments.saturating_sub(composited)),
+            Composited::AllBut(left) => Some(left),
             Composited::Unknown => None,
         };
         let stats = Stats {

@@ -1,7 +1,7 @@
 //! Which listings there are, by paper.
 
 use super::carr_2008::{coherent, hybrid, ideal, passes};
-use super::{everitt_2001, vtk};
+use super::{bavoil_2008, everitt_2001, vasilakis_2013, vtk};
 use crate::steps::pseudo::{Algorithm, Line};
 use crate::steps::{Amendment, Listing};
 
@@ -66,6 +66,18 @@ pub const fn papers() -> &'static [Paper] {
                 ("algorithm-1", hybrid::ALGORITHM_1, &hybrid::AMENDMENTS_1),
                 ("algorithm-2", ideal::ALGORITHM_2, &ideal::AMENDMENTS_2),
             ],
+        },
+        Paper {
+            key: "bavoil",
+            citation: "Louis Bavoil and Kevin Myers, Order Independent Transparency with Dual Depth Peeling, NVIDIA 2008",
+            listings: &[("dual-peeling", bavoil_2008::DUAL_DEPTH_PEELING, &[])],
+            algorithms: &[],
+        },
+        Paper {
+            key: "vasilakis",
+            citation: "Andreas Vasilakis and Ioannis Fudos, Depth-Fighting Aware Methods for Multifragment Rendering, TVCG 2013",
+            listings: &[("coplanar-peeling", vasilakis_2013::COPLANAR_PEELING, &[])],
+            algorithms: &[],
         },
     ]
 }

@@ -1,8 +1,10 @@
 //! The papers: their listings as data, what stands beside them, and what they claim. Nothing here runs by itself.
 
+pub mod bavoil_2008;
 pub mod carr_2008;
 pub mod everitt_2001;
 mod index;
+pub mod vasilakis_2013;
 pub mod vtk;
 
 pub use index::{Paper, papers};

@@ -59,7 +59,7 @@ pub const OPAQUE_FIRST: Listing = Listing {
 };
 
 /// What Listing 1 takes for granted: something to draw into, and a program.
-const BEFORE_PEELING: Listing = Listing {
+pub const BEFORE_PEELING: Listing = Listing {
     title: "What the peels draw into, and with",
     source: "VTK, Implementation notes",
     dialect: Dialect::Calls,
@@ -176,7 +176,8 @@ pub const UNDER: Amendment = Amendment {
     test: "v06_both_ways_of_compositing_give_the_same_image",
 };
 
-const CLEAR_ACCUMULATION: Listing = Listing {
+/// Before layers go under one another.
+pub const CLEAR_ACCUMULATION: Listing = Listing {
     title: "Nothing composited yet",
     source: "VTK, Implementation notes",
     dialect: Dialect::Calls,
@@ -187,7 +188,8 @@ const CLEAR_ACCUMULATION: Listing = Listing {
     },
 };
 
-const ACCUMULATION_OVER_OPAQUE: Listing = Listing {
+/// The end of compositing on the fly.
+pub const ACCUMULATION_OVER_OPAQUE: Listing = Listing {
     title: "What was composited, over the opaque image",
     source: "VTK, Implementation notes",
     dialect: Dialect::Calls,

@@ -5,6 +5,8 @@
 
 use std::fmt;
 
+use super::draw_buffer::DrawBufferCall;
+
 /// A comparison, as in `glDepthFunc`, `glStencilFunc` and `GL_TEXTURE_COMPARE_FUNC`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[allow(missing_docs)] // the names say it
@@ -277,4 +279,6 @@ pub enum Call {
     Draw {
         objects: Objects,
     },
+    /// One that names a draw buffer.
+    DrawBuffer(DrawBufferCall),
 }

@@ -11,6 +11,8 @@ pub enum Format {
     Rgba32F,
     /// One 32-bit float.
     R32F,
+    /// Two 32-bit floats.
+    Rg32F,
     /// 32-bit float depth with 8 bits of stencil.
     Depth32FStencil8,
     /// 24-bit fixed-point depth with 8 bits of stencil. Sampled on llvmpipe it is not what was stored.
@@ -25,7 +27,7 @@ impl Format {
         match self {
             Self::Depth16 => 2,
             Self::Rgba8 | Self::R32F | Self::Depth24Stencil8 => 4,
-            Self::Rgba16F | Self::Depth32FStencil8 => 8,
+            Self::Rgba16F | Self::Rg32F | Self::Depth32FStencil8 => 8,
             Self::Rgba32F => 16,
         }
     }

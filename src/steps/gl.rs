@@ -6,6 +6,7 @@
 #![allow(non_snake_case, non_upper_case_globals, missing_docs)] // GL's own names; the GL specification is their manual
 
 use super::call::*;
+use super::draw_buffer::{BlendEquation, DrawBufferCall};
 use super::listing::Step;
 
 pub const NEVER: Compare = Compare::Never;
@@ -33,6 +34,9 @@ pub const DST_ALPHA: BlendFactor = BlendFactor::DstAlpha;
 /// Carr et al.'s name for it.
 pub const DEST_ALPHA: BlendFactor = BlendFactor::DstAlpha;
 pub const ONE_MINUS_DST_ALPHA: BlendFactor = BlendFactor::OneMinusDstAlpha;
+
+pub const FUNC_ADD: BlendEquation = BlendEquation::FuncAdd;
+pub const MAX: BlendEquation = BlendEquation::Max;
 
 pub const DEPTH_TEST: Capability = Capability::DepthTest;
 pub const STENCIL_TEST: Capability = Capability::StencilTest;
@@ -160,6 +164,29 @@ pub const fn glBlendFuncSeparate(
     })
 }
 
+pub const fn glBlendEquationi(buf: u32, mode: BlendEquation) -> Step {
+    Step::Call(Call::DrawBuffer(DrawBufferCall::BlendEquation {
+        buf,
+        mode,
+    }))
+}
+
+pub const fn glBlendFunci(buf: u32, src: BlendFactor, dst: BlendFactor) -> Step {
+    Step::Call(Call::DrawBuffer(DrawBufferCall::BlendFunc {
+        buf,
+        src,
+        dst,
+    }))
+}
+
+/// `glClearBufferfv(COLOR, ...)`, the four channels one by one.
+pub const fn glClearBufferfv(drawbuffer: u32, value: [f32; 4]) -> Step {
+    Step::Call(Call::DrawBuffer(DrawBufferCall::Clear {
+        drawbuffer,
+        value,
+    }))
+}
+
 pub const fn glActiveTexture(unit: u32) -> Step {
     Step::Call(Call::ActiveTexture { unit })
 }
@@ -198,6 +225,11 @@ pub const fn glEndQuery(query: Query) -> Step {
 
 pub const fn glCopyImageSubData(from: Map, to: Map) -> Step {
     Step::Call(Call::CopyImage { from, to })
+}
+
+/// Listing 1's 'bind buffer', for a buffer that is not one of a row.
+pub const fn bindDepthBuffer(buffer: Map) -> Step {
+    Step::Call(Call::BindDepthBuffer { buffer })
 }
 
 /// Exchanges two maps' names.

@@ -25,6 +25,7 @@ mod amend;
 mod call;
 mod depth_units;
 mod diff;
+mod draw_buffer;
 mod expr;
 mod format;
 pub mod gl;
@@ -42,6 +43,7 @@ pub use call::{
 };
 pub use depth_units::DepthUnits;
 pub use diff::diff;
+pub use draw_buffer::{BlendEquation, DrawBufferCall};
 pub use expr::{Condition, Expr, Variables};
 pub use format::Format;
 pub use listing::{Dialect, Listing, Reason, Step};

@@ -379,6 +379,7 @@ fn signature(call: &Call) -> (&'static str, Vec<(&'static str, String)>) {
         Call::Draw {
             objects: Objects::Screen,
         } => call!("drawScreen"),
+        Call::DrawBuffer(call) => call.signature(),
     }
 }
 
@@ -440,7 +441,7 @@ const fn stencil_op(op: StencilOp) -> &'static str {
     }
 }
 
-const fn factor(factor: BlendFactor) -> &'static str {
+pub(super) const fn factor(factor: BlendFactor) -> &'static str {
     match factor {
         BlendFactor::Zero => "ZERO",
         BlendFactor::One => "ONE",

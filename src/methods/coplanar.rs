@@ -1,0 +1,119 @@
+//! Coplanar surfaces: the policy, and a detector of methods that do not keep it.
+//!
+//! # The policy
+//!
+//! Of fragments of one pixel with exactly equal depths, **what was submitted first lies in front**; and an opaque
+//! surface hides what lies exactly on it. The order of submission is that of the scene's meshes, and within a mesh that
+//! of its triangles. This holds everywhere in onionskin: [`oracle`](crate::oracle) sorts by it, and it is what the
+//! images of the exact methods are held against.
+//!
+//! | method | fragments of equal depth |
+//! | --- | --- |
+//! | `exact`, `coplanar-depth-peeling`, `dual-depth-peeling` | all of them, in that order |
+//! | `depth-peeling` | the first one is kept, the others are lost and counted (Everitt: "each unique depth") |
+//! | `blend`, `painter` | all of them, each over those submitted before it |
+//!
+//! # The detector
+//!
+//! [`shown`] does not ask a method what it has done. It renders the scene with every fragment black and equally
+//! translucent over white: what light is left at a pixel then says how many fragments are in the way, for `n` of them
+//! let `(1 - a)^n` through, in whatever order. Fewer than were drawn, and some were dropped or merged.
+
+use super::{Method, Renderer};
+use crate::error::Result;
+use crate::fragment::Rgba;
+use crate::gl::{Context, Format, Geometry, GlMachine, capture};
+use crate::papers::vtk::{self, OPAQUE_DEPTH, OPAQUE_FIRST};
+use crate::scene::{Scene, Shading};
+use crate::steps::{Map, Variables, run};
+
+/// How many fragments there are and how many a method shows, pixel by pixel, row by row from the top.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Shown {
+    /// Transparent fragments before the opaque depth, each drawn into a list.
+    pub submitted: Vec<u32>,
+    /// How many of them the image shows.
+    pub shown: Vec<u32>,
+}
+
+impl Shown {
+    /// Fragments that were dropped, or merged with another.
+    pub fn missing(&self) -> u64 {
+        let pairs = self.submitted.iter().zip(&self.shown);
+        pairs
+            .map(|(&all, &some)| u64::from(all.saturating_sub(some)))
+            .sum()
+    }
+
+    /// Fragments that are in the image more often than once.
+    pub fn doubled(&self) -> u64 {
+        let pairs = self.submitted.iter().zip(&self.shown);
+        pairs
+            .map(|(&all, &more)| u64::from(more.saturating_sub(all)))
+            .sum()
+    }
+}
+
+/// Renders the scene, painted, and counts. Depths are 32-bit floats, or as `depth` says.
+///
+/// With colours in 32-bit float the count is right for any number of fragments up to some thousands at a pixel: the
+/// fragments' opacity is chosen so that about 1/e of the light is left where they are most.
+///
+/// # Errors
+/// What the method or the driver cannot do.
+pub fn shown(context: &Context, scene: &Scene, method: &Method, depth: Format) -> Result<Shown> {
+    let submitted = submitted(context, scene)?;
+    let most = submitted.iter().copied().max().unwrap_or(0).max(1);
+    let alpha = 1.0 / (most + 1) as f32;
+    let [width, height] = scene.size;
+    let mut renderer = Renderer::new(context, width, height)?.with_formats(Format::Rgba32F, depth);
+    let image = renderer.render(&painted(scene, alpha), method)?.image;
+    let through_one = f64::from(1.0 - alpha).ln();
+    let count = |light: f32| (f64::from(light).max(f64::MIN_POSITIVE).ln() / through_one).round();
+    Ok(Shown {
+        submitted,
+        shown: image
+            .pixels
+            .iter()
+            .map(|pixel| count(pixel.r) as u32)
+            .collect(),
+    })
+}
+
+/// How many fragments each pixel has.
+fn submitted(context: &Context, scene: &Scene) -> Result<Vec<u32>> {
+    const IMAGE: Map = Map::named("image");
+    const AT_A_TIME: u32 = 2 << 20;
+    let [width, height] = scene.size;
+    let mut machine = GlMachine::new(context, scene.size)?;
+    machine.allocate(IMAGE, Format::Rgba8)?;
+    machine.allocate(OPAQUE_DEPTH, Format::Depth32FStencil8)?;
+    machine.target(vtk::IMAGE, Some(IMAGE), Some(OPAQUE_DEPTH))?;
+    machine.set_geometry(Geometry::upload(context, scene, scene.size)?);
+    machine.begin_frame();
+    run(&OPAQUE_FIRST, &[], Variables::new(), &mut machine)?;
+    let mut counts = vec![0; width as usize * height as usize];
+    for fragment in capture(&mut machine, OPAQUE_DEPTH, AT_A_TIME)? {
+        let row = height - 1 - fragment.y;
+        counts[(row * width + fragment.x) as usize] += 1;
+    }
+    Ok(counts)
+}
+
+/// The scene in black of one opacity over white; what is opaque is white.
+fn painted(scene: &Scene, alpha: f32) -> Scene {
+    let mut scene = scene.clone();
+    scene.background = [1.0; 3];
+    for mesh in &mut scene.meshes {
+        let paint = if mesh.opaque {
+            Rgba::opaque([1.0; 3])
+        } else {
+            Rgba::new(0.0, 0.0, 0.0, alpha)
+        };
+        mesh.shading = Shading::None;
+        mesh.vertices
+            .iter_mut()
+            .for_each(|vertex| vertex.color = paint);
+    }
+    scene
+}

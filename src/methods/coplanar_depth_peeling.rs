@@ -1,0 +1,75 @@
+//! Depth peeling that loses no coplanar fragment (after Vasilakis and Fudos 2013).
+//!
+//! [`COPLANAR_PEELING`] is the algorithm: two geometry passes a layer, one that finds its depth and one that takes every
+//! fragment there, in the order of submission. So it costs up to twice what plain depth peeling does; the second pass
+//! is the cheaper one, because its depth test is EQUAL.
+//!
+//! Excludes: multisampling; depths at or beyond the far plane, which GL clips.
+
+use super::renderer::IMAGE;
+use super::{Algorithm, Composited, Drawn, Peeling};
+use crate::error::Result;
+use crate::gl::{Format, GlMachine};
+use crate::papers::vasilakis_2013::{COPLANAR_PEELING, DEPTH_BUFFERS};
+use crate::papers::vtk;
+use crate::scene::Scene;
+use crate::steps::{DepthUnits, Reason, Variables, run};
+
+/// What can be chosen about it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct CoplanarDepthPeelingOptions {
+    /// The loop ends after so many peels; 0, the default, is no limit.
+    pub maximum_number_of_peels: u32,
+}
+
+pub(super) struct CoplanarDepthPeeling {
+    pub(super) options: CoplanarDepthPeelingOptions,
+    pub(super) color: Format,
+    pub(super) depth: Format,
+}
+
+impl Algorithm for CoplanarDepthPeeling {
+    fn prepare(&mut self, machine: &mut GlMachine<'_>, _: &Scene) -> Result<()> {
+        for map in DEPTH_BUFFERS {
+            machine.allocate(map, self.depth)?;
+        }
+        machine.allocate(vtk::ACCUMULATED, self.color)?;
+        // The first pass of each layer draws depths alone.
+        machine.target(vtk::PEEL, None, Some(DEPTH_BUFFERS[0]))?;
+        machine.target(
+            vtk::ACCUMULATION,
+            Some(vtk::ACCUMULATED),
+            Some(DEPTH_BUFFERS[0]),
+        )?;
+        machine.target(vtk::COMPOSITE, Some(IMAGE), None)
+    }
+
+    fn draw(&mut self, machine: &mut GlMachine<'_>, scene: &Scene) -> Result<Drawn> {
+        if scene.meshes.iter().all(|mesh| mesh.opaque) {
+            run(&vtk::OPAQUE_FIRST, &[], Variables::new(), machine)?;
+            return Ok(Drawn {
+                peeling: Peeling::NothingTransparent,
+                ..Drawn::default()
+            });
+        }
+        let peels = match self.options.maximum_number_of_peels {
+            0 => f64::INFINITY,
+            peels => f64::from(peels),
+        };
+        let outcome = run(
+            &COPLANAR_PEELING,
+            &[],
+            Variables::new().with("num_passes", peels),
+            &mut DepthUnits::new(machine),
+        )?;
+        let number = |name| outcome.variables.get(name).unwrap_or(0.0);
+        Ok(Drawn {
+            iterations: number("peels") as u32,
+            layers: Some(number("num_layers") as u32),
+            composited: Composited::Some(number("composited") as u64),
+            stopped: Some(outcome.stopped.unwrap_or(Reason::PeelLimit)),
+            peeling: Peeling::Used,
+            image: None,
+        })
+    }
+}

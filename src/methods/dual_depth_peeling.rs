@@ -1,0 +1,126 @@
+//! Dual depth peeling (Bavoil and Myers 2008): a layer from the front and one from the back in every pass.
+//!
+//! [`DUAL_DEPTH_PEELING`] is the algorithm. A scene of N layers takes N/2 peels, rounded up, and one pass before them
+//! that finds the first depths: N/2 + 1 geometry passes. The depths are 32-bit floats in a colour target, whatever the
+//! format of the depth buffer, so a fixed-point depth buffer does it no harm.
+//!
+//! Fragments of equal depth are all in the image, in the order of submission; the paper, which blends colours by MAX,
+//! would merge them.
+//!
+//! Excludes: multisampling; depths at or beyond the far plane, which GL clips.
+
+use super::renderer::IMAGE;
+use super::{Algorithm, Composited, DepthPeelingOptions, Drawn, Peeling};
+use crate::error::Result;
+use crate::gl::{Format, GlMachine};
+use crate::papers::bavoil_2008::{self as bavoil, DUAL_DEPTH_PEELING};
+use crate::papers::vtk;
+use crate::scene::Scene;
+use crate::steps::{Amendment, Machine, Reason, Variables, run};
+
+/// What can be chosen about dual depth peeling.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct DualDepthPeelingOptions {
+    /// The loop ends after so many peels, each of which takes two layers; 0, the default, is no limit. What is left
+    /// then lies in the middle, and is left out. (VTK documents 0 as 'no limit' too, but peels nothing then; what its
+    /// dual pass leaves it blends unsorted.)
+    pub maximum_number_of_peels: u32,
+    /// The loop ends after a peel that changed fewer pixels than this part of the image, 0 to 1. 0, the default, is
+    /// exact; that last peel is still composited.
+    pub occlusion_ratio: f64,
+    /// Amendments to the listings that run.
+    pub amendments: &'static [Amendment],
+}
+
+impl DualDepthPeelingOptions {
+    /// Whether a frame can be rendered with them.
+    ///
+    /// # Errors
+    /// If the occlusion ratio is out of range.
+    pub fn check(&self) -> Result<()> {
+        DepthPeelingOptions {
+            occlusion_ratio: self.occlusion_ratio,
+            ..Default::default()
+        }
+        .check()
+    }
+}
+
+pub(super) struct DualDepthPeeling {
+    pub(super) options: DualDepthPeelingOptions,
+    pub(super) color: Format,
+    /// The variables at the end of the last frame, which say where what is left can be found.
+    pub(super) end: Variables,
+}
+
+impl Algorithm for DualDepthPeeling {
+    fn prepare(&mut self, machine: &mut GlMachine<'_>, _: &Scene) -> Result<()> {
+        self.options.check()?;
+        for map in bavoil::DEPTHS {
+            machine.allocate(map, Format::Rg32F)?;
+        }
+        for map in [bavoil::FRONT_COLOR, bavoil::BACK_COLOR, bavoil::FARTHEST] {
+            machine.allocate(map, self.color)?;
+        }
+        let [depths, _] = bavoil::DEPTHS;
+        let culled = Some(vtk::OPAQUE_DEPTH);
+        machine.target(bavoil::DEPTHS_ALONE, Some(depths), culled)?;
+        let peeled = [depths, bavoil::FRONT_COLOR, bavoil::FARTHEST];
+        machine.target_of(bavoil::PEELS, &peeled, culled)?;
+        machine.target(bavoil::BACK, Some(bavoil::BACK_COLOR), None)?;
+        machine.target(bavoil::DEPTH_TESTED, None, culled)?;
+        machine.target(vtk::COMPOSITE, Some(IMAGE), None)
+    }
+
+    fn draw(&mut self, machine: &mut GlMachine<'_>, scene: &Scene) -> Result<Drawn> {
+        if scene.meshes.iter().all(|mesh| mesh.opaque) {
+            run(&vtk::OPAQUE_FIRST, &[], Variables::new(), machine)?;
+            return Ok(Drawn {
+                peeling: Peeling::NothingTransparent,
+                ..Drawn::default()
+            });
+        }
+        let peels = match self.options.maximum_number_of_peels {
+            0 => f64::INFINITY,
+            peels => f64::from(peels),
+        };
+        let [width, height] = machine.size();
+        let variables = Variables::new()
+            .with("num_passes", peels)
+            .with("occlusion_ratio", self.options.occlusion_ratio)
+            .with("window_area", f64::from(width) * f64::from(height));
+        let outcome = run(
+            &DUAL_DEPTH_PEELING,
+            self.options.amendments,
+            variables,
+            machine,
+        )?;
+        let stopped = outcome.stopped.unwrap_or(Reason::PeelLimit);
+        self.end = outcome.variables;
+        Ok(Drawn {
+            iterations: self.end.get("peels").unwrap_or(0.0) as u32,
+            stopped: Some(stopped),
+            composited: if stopped == Reason::EmptyLayer {
+                Composited::All
+            } else {
+                Composited::Unknown
+            },
+            peeling: Peeling::Used,
+            ..Drawn::default()
+        })
+    }
+
+    /// What lies between the depths of the peel that was not made.
+    fn count_left(&mut self, machine: &mut GlMachine<'_>, drawn: &mut Drawn) -> Result<()> {
+        if drawn.composited == Composited::Unknown {
+            run(
+                &bavoil::COUNT_FRAGMENTS_LEFT,
+                &[],
+                self.end.clone(),
+                machine,
+            )?;
+            drawn.composited = Composited::AllBut(machine.samples(bavoil::FRAGMENTS_LEFT)?);
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,71 @@
+//! Andreas Vasilakis and Ioannis Fudos, *Depth-Fighting Aware Methods for Multifragment Rendering*, IEEE Transactions
+//! on Visualization and Computer Graphics 19(6), 2013: depth peeling that loses no coplanar fragment.
+//!
+//! Two geometry passes a layer. The first is Everitt's and finds the layer's depth; the second counts and takes every
+//! fragment at just that depth. Here it is Listing 1 once more, with two amendments: the second pass is again a matter
+//! of two depth units, unit 1 set to EQUAL. (The authors keep the fragments apart and sort them by primitive; blending
+//! takes them in the order of submission by itself, which is onionskin's policy for equal depths.)
+
+use crate::papers::everitt_2001::LISTING_1;
+use crate::papers::vtk;
+use crate::steps;
+use crate::steps::{Amendment, Dialect, Listing, Map, Query, Shader, gl::*};
+
+/// Listing 1 with every fragment of each depth. Before it runs, `num_passes` is set.
+pub const COPLANAR_PEELING: Listing = Listing {
+    title: "Depth peeling that takes every fragment of each depth",
+    source: "Vasilakis and Fudos 2013",
+    dialect: Dialect::Calls,
+    steps: steps! {
+        run vtk::OPAQUE_FIRST;
+        run vtk::BEFORE_PEELING;
+        num_layers = 0;
+        composited = 0;
+        run vtk::CLEAR_ACCUMULATION;
+        run LISTING_1 amended by &[vtk::NO_CLEAR, vtk::CULL_BY_OPAQUE, vtk::QUERY, EVERY_FRAGMENT];
+        run vtk::ACCUMULATION_OVER_OPAQUE;
+    },
+};
+
+/// Instead of saving the layer: the scene once more, all that lies at the layer's depth, under what there is. The query
+/// counts these fragments, so that what is missing in the end is known.
+pub const EVERY_FRAGMENT: Amendment = Amendment {
+    key: "V3",
+    place: "Listing 1, save color buffer RGBA as layer i",
+    printed: steps! { save color buffer RGBA as layer i; },
+    amended: steps! {
+        glBindFramebuffer(vtk::ACCUMULATION);
+        depth unit 0: {
+            enable depth test;
+            bindDepthBuffer(vtk::OPAQUE_DEPTH);
+            set depth func to LESS;
+        }
+        depth unit 1: {
+            bind buffer B;
+            disable depth writes;
+            set depth func to EQUAL;
+        }
+        glEnable(BLEND);
+        glBlendFunc(ONE_MINUS_DST_ALPHA, ONE);
+        glUseProgram(COPLANAR);
+        glBeginQuery(AT_THIS_DEPTH);
+        drawTransparentObjects();
+        glEndQuery(AT_THIS_DEPTH);
+        glDisable(BLEND);
+        composited = composited + samples(AT_THIS_DEPTH);
+        num_layers = i + 1;
+        glBindFramebuffer(vtk::PEEL);
+        glUseProgram(vtk::PEEL_SURFACE);
+    },
+    why: "a layer is every fragment at its depth, not one of them",
+    test: "v3_coplanar_peeling_has_every_tie_in_the_order_of_submission",
+};
+
+/// The depths of the layers before this one and of this one.
+pub const DEPTH_BUFFERS: [Map; 2] = [
+    Map::numbered("depth buffer", 0),
+    Map::numbered("depth buffer", 1),
+];
+
+const COPLANAR: Shader = Shader("coplanar");
+const AT_THIS_DEPTH: Query = Query("at this depth");
