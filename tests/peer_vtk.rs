@@ -22,6 +22,7 @@ const PEELING: Method = Method::DepthPeeling(DepthPeelingOptions {
     occlusion_ratio: 0.0,
     compositing: onionskin::methods::Compositing::OnTheFly,
     as_printed: false,
+    depth_unit_0: onionskin::methods::DepthUnit0::Sampler,
     amendments: &[],
 });
 

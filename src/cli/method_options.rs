@@ -1,8 +1,9 @@
 //! Arguments that choose a method and what can be chosen about it.
 
-use clap::Args;
+use clap::{Args, ValueEnum};
 use onionskin::methods::{
-    CoherentOptions, Compositing, DepthPeelingOptions, IdealOptions, LayerPeelingOptions, Sorting,
+    CoherentOptions, Compositing, CoplanarDepthPeelingOptions, DepthPeelingOptions, DepthUnit0,
+    DualDepthPeelingOptions, IdealOptions, LayerPeelingOptions, Sorting,
 };
 use onionskin::{Error, Method, Result};
 
@@ -16,15 +17,20 @@ pub(super) struct MethodOptions {
     /// The method: depth-peeling, exact, painter ...; `onionskin methods` describes them all
     #[arg(short, long, default_value = "depth-peeling")]
     method: String,
-    /// At most this many peels, nearest first; 0 means no limit, as VTK documents it
+    /// At most this many peels, nearest first; 0 means no limit, as VTK documents it. Dual and coplanar depth peeling
+    /// have it too
     #[arg(long, default_value_t = 0, value_name = "N", help_heading = PEELING)]
     peels: u32,
-    /// Stop after a peel that changed fewer pixels than this part of the image; 0 is exact
+    /// Stop after a peel that changed fewer pixels than this part of the image; 0 is exact. Dual depth peeling has it
+    /// too
     #[arg(long, default_value_t = 0.0, value_name = "0..1", help_heading = PEELING)]
     occlusion_ratio: f64,
     /// Keep every layer and write it beside the image: FILE-layer-0.png is the nearest, and so on
     #[arg(long, help_heading = PEELING)]
     pub(super) layers: bool,
+    /// What peels: a shadow sampler, or the alpha test of 2001 with or without Listing 2's depth replace
+    #[arg(long, value_enum, default_value_t = Unit0::Sampler, help_heading = PEELING)]
+    depth_unit_0: Unit0,
     /// Run the paper's text with nothing amended. Everitt's needs --peels, because it has no way to find out when to
     /// stop; loops that would never end are given up
     #[arg(long, help_heading = PAPERS)]
@@ -36,6 +42,26 @@ pub(super) struct MethodOptions {
     /// A and B; tight-bound for the ideal GPU
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = improvement, help_heading = COHERENT)]
     improve: Vec<Improvement>,
+}
+
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+enum Unit0 {
+    /// The rasteriser's depth, compared by the sampler
+    Sampler,
+    /// r/q, compared into alpha
+    Classic,
+    /// The same, and r/q is what is stored
+    ClassicDepthReplace,
+}
+
+impl From<Unit0> for DepthUnit0 {
+    fn from(unit: Unit0) -> Self {
+        match unit {
+            Unit0::Sampler => Self::Sampler,
+            Unit0::Classic => Self::Classic,
+            Unit0::ClassicDepthReplace => Self::ClassicDepthReplace,
+        }
+    }
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -53,10 +79,29 @@ impl MethodOptions {
     /// If there is no such method, or it has no such option.
     pub(super) fn method(&self) -> Result<Method> {
         let method: Method = self.method.parse()?;
-        let peels = self.peels != 0 || self.occlusion_ratio != 0.0 || self.layers;
+        let kept = self.layers || self.depth_unit_0 != Unit0::Sampler;
+        let peels = self.peels != 0 || self.occlusion_ratio != 0.0 || kept;
         let sorted = self.sort.is_some() || !self.improve.is_empty();
         match method {
             Method::DepthPeeling(_) if !sorted => self.depth_peeling(),
+            Method::DualDepthPeeling(_) if !kept && !sorted && !self.as_printed => self.dual(),
+            Method::CoplanarDepthPeeling(_)
+                if !kept && !sorted && !self.as_printed && self.occlusion_ratio == 0.0 =>
+            {
+                Ok(Method::CoplanarDepthPeeling(CoplanarDepthPeelingOptions {
+                    maximum_number_of_peels: self.peels,
+                }))
+            }
+            Method::DualDepthPeeling(_) if kept || self.as_printed => Err(Error::usage(
+                format!("{method} has no --layers, --depth-unit-0 or --as-printed"),
+                "it has --peels and --occlusion-ratio; the others are for depth-peeling",
+            )),
+            Method::CoplanarDepthPeeling(_) if !sorted => Err(Error::usage(
+                format!(
+                    "{method} has no --occlusion-ratio, --layers, --depth-unit-0 or --as-printed"
+                ),
+                "it has --peels; the others are for depth-peeling",
+            )),
             Method::LayerPeeling(_) if !peels && !sorted => {
                 Ok(Method::LayerPeeling(self.layer_peeling()))
             }
@@ -66,7 +111,9 @@ impl MethodOptions {
             Method::CoherentLayerPeeling(options) if !peels => self.coherent(options),
             Method::IdealCoherentLayerPeeling(options) if !peels => self.ideal(options),
             _ if peels || self.as_printed && !sorted => Err(Error::usage(
-                format!("{method} has no --peels, --occlusion-ratio, --layers or --as-printed"),
+                format!(
+                    "{method} has no --peels, --occlusion-ratio, --layers, --depth-unit-0 or --as-printed"
+                ),
                 "they are for depth-peeling; the peeling methods of Carr et al. have --as-printed",
             )),
             _ if sorted => Err(Error::usage(
@@ -87,10 +134,21 @@ impl MethodOptions {
                 Compositing::OnTheFly
             },
             as_printed: self.as_printed,
+            depth_unit_0: self.depth_unit_0.into(),
             amendments: &[],
         };
         options.check()?;
         Ok(Method::DepthPeeling(options))
+    }
+
+    fn dual(&self) -> Result<Method> {
+        let options = DualDepthPeelingOptions {
+            maximum_number_of_peels: self.peels,
+            occlusion_ratio: self.occlusion_ratio,
+            amendments: &[],
+        };
+        options.check()?;
+        Ok(Method::DualDepthPeeling(options))
     }
 
     fn layer_peeling(&self) -> LayerPeelingOptions {
@@ -159,7 +217,7 @@ fn sorting(text: &str) -> Result<Sorting> {
         }
         _ => Err(Error::usage(
             format!("'{text}' is no way to sort"),
-            "write submission, objects, reversed, or buckets=N with N from 1 to 16777216",
+            "write submission, objects, or buckets=N with N from 1 to 16777216",
         )),
     }
 }

@@ -15,6 +15,8 @@ pub struct Driver {
     pub version: (u32, u32),
     /// OpenGL ES rather than OpenGL.
     pub embedded: bool,
+    /// Whether it still has what OpenGL 3.1 removed.
+    pub has_fixed_functions: bool,
     /// Every extension it names.
     pub extensions: BTreeSet<String>,
     /// Limits by GL's names.
@@ -99,7 +101,14 @@ impl Driver {
                 .map(|&(name, limit)| (name, unsafe { gl.get_parameter_i64(limit) }))
                 .collect()
         };
+        const COMPATIBILITY: i32 = 2; // GL_CONTEXT_COMPATIBILITY_PROFILE_BIT
+        let has_fixed_functions = number >= (3, 2) && !version.is_embedded && {
+            // SAFETY: an integer from OpenGL 3.2 on.
+            let profile = unsafe { gl.get_parameter_i32(glow::CONTEXT_PROFILE_MASK) };
+            profile & COMPATIBILITY != 0
+        };
         Self {
+            has_fixed_functions,
             renderer,
             version_text,
             version: number,

@@ -16,6 +16,9 @@ pub struct Geometry<'c> {
     draws: Vec<Run>,
     /// World to clip space.
     view_projection: Mat4,
+    /// World to eye space, and eye to clip space.
+    pub(super) view: DMat4,
+    pub(super) projection: DMat4,
     eye: Vec3,
     /// Where transparent surfaces may be: columns and rows from the lower left, x, y, width, height.
     window: [i32; 4],
@@ -45,6 +48,13 @@ impl Run {
             place: place + (first - start) as u32 / 3,
         })
     }
+}
+
+/// What the fixed functions draw from.
+pub(super) struct Buffers {
+    pub(super) vertices: glow::Buffer,
+    pub(super) indices: glow::Buffer,
+    pub(super) count: i32,
 }
 
 /// One mesh and what its draw calls need.
@@ -118,12 +128,15 @@ impl<'c> Geometry<'c> {
 
     fn empty(context: &'c Context, scene: &Scene, size: [u32; 2]) -> Self {
         let camera = &scene.camera;
-        let view_projection: DMat4 = camera.projection(size[0], size[1]) * camera.view();
+        let (view, projection) = (camera.view(), camera.projection(size[0], size[1]));
+        let view_projection: DMat4 = projection * view;
         Self {
             context,
             meshes: Vec::with_capacity(scene.meshes.len()),
             draws: Vec::new(),
             view_projection: view_projection.as_mat4(),
+            view,
+            projection,
             eye: camera.eye.as_vec3(),
             window: window_of_transparent(scene, view_projection, size),
         }
@@ -132,6 +145,17 @@ impl<'c> Geometry<'c> {
     /// The part of the image outside of which no transparent surface is.
     pub(super) fn window(&self) -> [i32; 4] {
         self.window
+    }
+
+    /// The buffers of the meshes that are among `objects`, in the order of submission.
+    pub(super) fn buffers(&self, objects: Objects) -> impl Iterator<Item = Buffers> {
+        let meshes = self.draws.iter().map(|run| (run, &self.meshes[run.mesh]));
+        let among = meshes.filter(move |(_, mesh)| mesh.is_among(objects));
+        among.map(|(run, mesh)| Buffers {
+            vertices: mesh.vertices,
+            indices: mesh.indices,
+            count: run.count,
+        })
     }
 
     /// Draws with the program for unlit surfaces and the one for lit ones, changing between them as the meshes ask.

@@ -73,6 +73,34 @@ const FILES: &[(&str, &str)] = &[
         include_str!("../../glsl/complexity.frag"),
     ),
     (
+        "classic/alpha_test.glsl",
+        include_str!("../../glsl/classic/alpha_test.glsl"),
+    ),
+    (
+        "classic/depth_replace.frag",
+        include_str!("../../glsl/classic/depth_replace.frag"),
+    ),
+    (
+        "classic/fixed.frag",
+        include_str!("../../glsl/classic/fixed.frag"),
+    ),
+    (
+        "classic/texture_environment.glsl",
+        include_str!("../../glsl/classic/texture_environment.glsl"),
+    ),
+    (
+        "classic/texture_shader.glsl",
+        include_str!("../../glsl/classic/texture_shader.glsl"),
+    ),
+    (
+        "classic/textures.glsl",
+        include_str!("../../glsl/classic/textures.glsl"),
+    ),
+    (
+        "classic/vertex.vert",
+        include_str!("../../glsl/classic/vertex.vert"),
+    ),
+    (
         "common/dual.glsl",
         include_str!("../../glsl/common/dual.glsl"),
     ),
@@ -116,6 +144,22 @@ const FILES: &[(&str, &str)] = &[
     (
         "ideal/pass_2_tight.frag",
         include_str!("../../glsl/ideal/pass_2_tight.frag"),
+    ),
+    (
+        "invariance/compare.glsl",
+        include_str!("../../glsl/invariance/compare.glsl"),
+    ),
+    (
+        "invariance/replaced.frag",
+        include_str!("../../glsl/invariance/replaced.frag"),
+    ),
+    (
+        "invariance/vertex.vert",
+        include_str!("../../glsl/invariance/vertex.vert"),
+    ),
+    (
+        "invariance/window_z.frag",
+        include_str!("../../glsl/invariance/window_z.frag"),
     ),
     ("layer.frag", include_str!("../../glsl/layer.frag")),
     ("over.frag", include_str!("../../glsl/over.frag")),

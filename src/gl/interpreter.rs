@@ -114,11 +114,30 @@ impl GlMachine<'_> {
         Ok(())
     }
 
+    fn set_uniform(&self, name: &str, value: f32) {
+        let gl = self.context.glow();
+        let linked = self.current.and_then(|shader| self.programs.get(&shader));
+        for program in linked.into_iter().flat_map(Linked::programs) {
+            // SAFETY: the program is linked; GL ignores a uniform that it does not have.
+            unsafe {
+                gl.use_program(Some(program.raw));
+                let location = gl.get_uniform_location(program.raw, name);
+                gl.uniform_1_f32(location.as_ref(), value);
+            }
+        }
+    }
+
     fn whole(&self) -> [i32; 4] {
         [0, 0, self.size[0] as i32, self.size[1] as i32]
     }
 
     fn draw(&mut self, objects: Objects) -> Result<()> {
+        if self
+            .current
+            .is_some_and(|Shader(name)| name.starts_with("classic/"))
+        {
+            self.set_classic_uniforms()?;
+        }
         let no_program = || {
             Error::usage(
                 "the listing draws before it chooses a program",
@@ -286,6 +305,8 @@ impl GlMachine<'_> {
                 Call::CopyImage { from, to } => self.copy(from, to)?,
                 Call::Swap { a, b } => self.swap(a, b)?,
                 Call::Draw { objects } => self.draw(objects)?,
+                Call::Uniform { name, value } => self.set_uniform(name, value.unwrap_or(0.0)),
+                Call::Classic(ref call) => self.classic_call(call)?,
                 Call::DrawBuffer(ref call) => self.draw_buffer(call),
             }
         }

@@ -4,6 +4,7 @@ use std::collections::HashMap;
 
 use glow::HasContext;
 
+use super::classic::Classic;
 use super::context::Context;
 use super::geometry::Geometry;
 use super::program::Linked;
@@ -32,6 +33,8 @@ pub struct GlMachine<'c> {
     pub(super) geometry: Option<Geometry<'c>>,
     pub(super) current: Option<Shader>,
     pub(super) counts: Counts,
+    /// What classic calls have set and made.
+    pub(super) classic: Classic,
 }
 
 /// What a machine has done since [`GlMachine::begin_frame`].
@@ -92,6 +95,7 @@ impl<'c> GlMachine<'c> {
             geometry: None,
             current: None,
             counts: Counts::default(),
+            classic: Classic::default(),
         })
     }
 
@@ -148,6 +152,7 @@ impl<'c> GlMachine<'c> {
             }
         }
         self.counts.geometry_passes = 0;
+        self.classic.state = None;
     }
 
     /// What was done since the frame began.
@@ -361,6 +366,7 @@ impl Workspace for GlMachine<'_> {
 
 impl Drop for GlMachine<'_> {
     fn drop(&mut self) {
+        self.free_classic();
         let gl = self.context.glow();
         // SAFETY: every object is the machine's own, and the context outlives the borrow.
         unsafe {

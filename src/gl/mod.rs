@@ -7,6 +7,7 @@
 #![allow(unsafe_code)]
 
 mod capture;
+pub mod classic;
 mod constants;
 mod context;
 mod draw_buffers;
@@ -20,6 +21,7 @@ mod texture;
 mod trap;
 
 pub use capture::{CapturedFragment, capture};
+pub use classic::{ClassicState, FixedFunction};
 pub use context::{Backend, Context, ContextOptions, Profile};
 pub use driver::{Driver, Trap, WANTED_EXTENSIONS};
 pub use geometry::Geometry;

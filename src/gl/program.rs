@@ -107,7 +107,12 @@ impl Linked {
                 &["screen.vert", &fragment],
             )?));
         }
-        let with = |surface| Program::link(gl, &["geometry.vert", &fragment, surface]);
+        let vertex = match name.split_once('/') {
+            Some(("classic", _)) => "classic/vertex.vert",
+            Some(("invariance", _)) => "invariance/vertex.vert",
+            _ => "geometry.vert",
+        };
+        let with = |surface| Program::link(gl, &[vertex, &fragment, surface]);
         Ok(Self::Surface {
             unlit: with("surface/unlit.frag")?,
             lit: with("surface/lit.frag")?,

@@ -6,7 +6,7 @@ use crate::error::{Error, Result};
 use crate::steps::Format;
 
 /// GL's sized internal format.
-const fn internal(format: Format) -> u32 {
+pub(super) const fn internal(format: Format) -> u32 {
     match format {
         Format::Rgba8 => glow::RGBA8,
         Format::Rgba16F => glow::RGBA16F,
@@ -15,7 +15,10 @@ const fn internal(format: Format) -> u32 {
         Format::Rg32F => glow::RG32F,
         Format::Depth32FStencil8 => glow::DEPTH32F_STENCIL8,
         Format::Depth24Stencil8 => glow::DEPTH24_STENCIL8,
+        Format::Rg16 => glow::RG16,
         Format::Depth16 => glow::DEPTH_COMPONENT16,
+        Format::Depth24 => glow::DEPTH_COMPONENT24,
+        Format::Depth32F => glow::DEPTH_COMPONENT32F,
     }
 }
 
@@ -58,6 +61,28 @@ impl Texture {
     /// Bytes of its texels.
     pub(super) fn bytes(&self) -> u64 {
         self.format.bytes() * u64::from(self.size[0]) * u64::from(self.size[1])
+    }
+
+    /// Sets a texture of fixed-point numbers to 0.
+    pub(super) fn clear(&self, gl: &glow::Context) {
+        let zeros = vec![0_u8; self.bytes() as usize];
+        let [width, height] = self.size.map(|side| side as i32);
+        let (format, kind) = (glow::RG, glow::UNSIGNED_SHORT);
+        // SAFETY: the texture is bound and of format RG16, and there are as many zeros as it has bytes.
+        bound(gl, self.raw, || unsafe {
+            let zeros = glow::PixelUnpackData::Slice(Some(&zeros));
+            gl.tex_sub_image_2d(
+                glow::TEXTURE_2D,
+                0,
+                0,
+                0,
+                width,
+                height,
+                format,
+                kind,
+                zeros,
+            );
+        });
     }
 
     /// A colour texture's texels as floats, bottom row first.

@@ -7,6 +7,7 @@
 //!
 //! Excludes: multisampling; depths at or beyond the far plane, which GL clips.
 
+use super::depth_unit_0::DepthUnit0;
 use super::renderer::IMAGE;
 use super::{Algorithm, Composited, Drawn, Peeling};
 use crate::error::{Error, Result};
@@ -40,6 +41,8 @@ pub struct DepthPeelingOptions {
     /// Listing 1 and the blending function with nothing amended: everything, opaque or not, is peeled by every one of
     /// `maximum_number_of_peels` passes, of which there must then be at least one.
     pub as_printed: bool,
+    /// What peels: depth unit 0 as OpenGL has it today, or as it was made in 2001.
+    pub depth_unit_0: DepthUnit0,
     /// More amendments to the listings that run: what does one changed word do?
     pub amendments: &'static [Amendment],
 }
@@ -125,12 +128,10 @@ impl Algorithm for DepthPeeling {
             Compositing::OnTheFly => vtk::ON_THE_FLY,
             Compositing::KeepLayers => vtk::KEEP_LAYERS,
         };
-        let outcome = run(
-            &listing,
-            self.options.amendments,
-            variables,
-            &mut DepthUnits::new(machine),
-        )?;
+        let outcome =
+            self.options
+                .depth_unit_0
+                .run(machine, &listing, self.options.amendments, variables)?;
         Ok(drawn(&outcome))
     }
 }

@@ -64,6 +64,7 @@ pub const fn registry() -> &'static [Entry] {
         occlusion_ratio: 0.0,
         compositing: super::depth_peeling::Compositing::OnTheFly,
         as_printed: false,
+        depth_unit_0: super::depth_unit_0::DepthUnit0::Sampler,
         amendments: &[],
     };
     &[

@@ -4,6 +4,14 @@
 //! runs it on a real one, as "Shadow Mapping as Depth Test" proposes. The paper gives compositing in a sentence
 //! ("Putting It All Together"); it stands here as [`COMPOSITE`].
 
+mod invariance;
+mod listing_2;
+mod shadow;
+
+pub use invariance::{REPLACED, WINDOW_Z};
+pub use listing_2::LISTING_2;
+pub use shadow::SHADOW_AS_DEPTH_TEST;
+
 use crate::steps;
 use crate::steps::{Amendment, Dialect, Listing, Map, Shader, gl::*};
 

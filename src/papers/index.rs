@@ -30,6 +30,12 @@ pub const fn papers() -> &'static [Paper] {
                     everitt_2001::LISTING_1,
                     &[vtk::CULL_BY_OPAQUE, vtk::QUERY, vtk::KEEP_DEPTH],
                 ),
+                ("listing-2", everitt_2001::LISTING_2, &[]),
+                (
+                    "shadow-as-depth-test",
+                    everitt_2001::SHADOW_AS_DEPTH_TEST,
+                    &[],
+                ),
                 ("composite", everitt_2001::COMPOSITE, &[everitt_2001::ALPHA]),
             ],
             algorithms: &[],

@@ -5,6 +5,7 @@
 
 use std::fmt;
 
+use super::classic::ClassicCall;
 use super::draw_buffer::DrawBufferCall;
 
 /// A comparison, as in `glDepthFunc`, `glStencilFunc` and `GL_TEXTURE_COMPARE_FUNC`.
@@ -279,6 +280,14 @@ pub enum Call {
     Draw {
         objects: Objects,
     },
+    /// `glUniform1f` of the current program; the listing's variable of the uniform's name is its value.
+    Uniform {
+        name: &'static str,
+        /// Nothing until the listing runs.
+        value: Option<f32>,
+    },
+    /// One of the OpenGL of 2001.
+    Classic(ClassicCall),
     /// One that names a draw buffer.
     DrawBuffer(DrawBufferCall),
 }

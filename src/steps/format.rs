@@ -13,12 +13,18 @@ pub enum Format {
     R32F,
     /// Two 32-bit floats.
     Rg32F,
+    /// Two 16-bit fixed-point numbers.
+    Rg16,
     /// 32-bit float depth with 8 bits of stencil.
     Depth32FStencil8,
     /// 24-bit fixed-point depth with 8 bits of stencil. Sampled on llvmpipe it is not what was stored.
     Depth24Stencil8,
     /// 16-bit fixed-point depth. OpenGL has no such format with a stencil.
     Depth16,
+    /// 24-bit fixed-point depth alone.
+    Depth24,
+    /// 32-bit float depth alone.
+    Depth32F,
 }
 
 impl Format {
@@ -26,7 +32,12 @@ impl Format {
     pub const fn bytes(self) -> u64 {
         match self {
             Self::Depth16 => 2,
-            Self::Rgba8 | Self::R32F | Self::Depth24Stencil8 => 4,
+            Self::Rgba8
+            | Self::R32F
+            | Self::Rg16
+            | Self::Depth24
+            | Self::Depth32F
+            | Self::Depth24Stencil8 => 4,
             Self::Rgba16F | Self::Rg32F | Self::Depth32FStencil8 => 8,
             Self::Rgba32F => 16,
         }
@@ -36,7 +47,11 @@ impl Format {
     pub const fn has_depth(self) -> bool {
         matches!(
             self,
-            Self::Depth32FStencil8 | Self::Depth24Stencil8 | Self::Depth16
+            Self::Depth32FStencil8
+                | Self::Depth24Stencil8
+                | Self::Depth16
+                | Self::Depth24
+                | Self::Depth32F
         )
     }
 

@@ -9,6 +9,8 @@ use super::call::*;
 use super::draw_buffer::{BlendEquation, DrawBufferCall};
 use super::listing::Step;
 
+pub use super::gl_classic::*;
+
 pub const NEVER: Compare = Compare::Never;
 pub const LESS: Compare = Compare::Less;
 pub const EQUAL: Compare = Compare::Equal;
@@ -197,6 +199,11 @@ pub const fn glBindTexture(texture: Map) -> Step {
 
 pub const fn glSamplerCompareFunc(func: Compare) -> Step {
     Step::Call(Call::SamplerCompareFunc { func })
+}
+
+/// The variable of the same name is the value.
+pub const fn glUniform1f(name: &'static str) -> Step {
+    Step::Call(Call::Uniform { name, value: None })
 }
 
 pub const fn glUseProgram(program: Shader) -> Step {

@@ -24,6 +24,8 @@ pub enum Dialect {
     Phrases,
     /// OpenGL calls, one a line.
     Calls,
+    /// Everitt's Listing 2: C source, constants with their `GL_`.
+    Source,
 }
 
 /// One statement of a listing.

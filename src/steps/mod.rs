@@ -23,12 +23,15 @@
 
 mod amend;
 mod call;
+mod classic;
+mod classic_depth_units;
 mod depth_units;
 mod diff;
 mod draw_buffer;
 mod expr;
 mod format;
 pub mod gl;
+mod gl_classic;
 mod listing;
 mod macros;
 pub mod print;
@@ -41,6 +44,11 @@ pub use call::{
     BlendFactor, Buffers, Call, Capability, Compare, Index, Map, Objects, Query, Shader, StencilOp,
     Target,
 };
+pub use classic::{
+    ClassicCall, ClassicCapability, DepthTextureMode, MatrixMode, TexEnvName, TexEnvValue,
+    TextureTarget,
+};
+pub use classic_depth_units::ClassicDepthUnits;
 pub use depth_units::DepthUnits;
 pub use diff::diff;
 pub use draw_buffer::{BlendEquation, DrawBufferCall};

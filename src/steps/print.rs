@@ -137,7 +137,7 @@ impl Printer {
     fn end(&self) -> &'static str {
         match self.dialect {
             Dialect::Phrases => "",
-            Dialect::Calls => ";",
+            Dialect::Calls | Dialect::Source => ";",
         }
     }
 
@@ -145,6 +145,7 @@ impl Printer {
         let said = match self.dialect {
             Dialect::Phrases => phrase(call),
             Dialect::Calls => short_form(call),
+            Dialect::Source => source(call),
         };
         said.unwrap_or_else(|| {
             let (name, arguments) = signature(call);
@@ -166,6 +167,14 @@ fn short_form(call: &Call) -> Option<String> {
         Call::Clear {
             mask: super::gl::DEPTH_AND_STENCIL_BUFFER_BITS,
         } => Some("glClear(DEPTH_AND_STENCIL_BUFFER_BITS);".into()),
+        _ => None,
+    }
+}
+
+/// As C source with every `GL_` in place, for what Listing 2 has.
+fn source(call: &Call) -> Option<String> {
+    match call {
+        Call::Classic(call) => Some(call.source()),
         _ => None,
     }
 }
@@ -379,6 +388,12 @@ fn signature(call: &Call) -> (&'static str, Vec<(&'static str, String)>) {
         Call::Draw {
             objects: Objects::Screen,
         } => call!("drawScreen"),
+        Call::Uniform { name, value } => call!(
+            "glUniform1f",
+            "location" = name,
+            "v0" = value.map_or_else(|| name.to_owned(), |value| value.to_string())
+        ),
+        Call::Classic(call) => call.signature(),
         Call::DrawBuffer(call) => call.signature(),
     }
 }
@@ -407,7 +422,7 @@ fn buffers(mask: Buffers) -> String {
     set.join(" | ")
 }
 
-const fn compare(func: Compare) -> &'static str {
+pub(super) const fn compare(func: Compare) -> &'static str {
     match func {
         Compare::Never => "NEVER",
         Compare::Less => "LESS",

@@ -2,6 +2,7 @@
 
 use super::amend::{Amendment, Scope};
 use super::call::{Call, Index, Map, Query, Target};
+use super::classic::ClassicCall;
 use super::expr::{Condition, Expr, Variables};
 use super::format::Format;
 use super::listing::{Listing, Reason, Step};
@@ -217,6 +218,15 @@ impl<M: Machine> Walk<'_, M> {
             | Call::AttachColor { texture: map }
             | Call::AttachDepth { texture: map } => *map = self.resolve_map(*map)?,
             Call::CopyImage { from, to } | Call::Swap { a: from, b: to } => {
+                *from = self.resolve_map(*from)?;
+                *to = self.resolve_map(*to)?;
+            }
+            // A uniform is an f32.
+            Call::Uniform { name, value } => *value = Some(self.variable(name)? as f32),
+            Call::Classic(ClassicCall::BindTexture { texture, .. }) => {
+                *texture = self.resolve_map(*texture)?;
+            }
+            Call::Classic(ClassicCall::CopyToRectangle { from, to }) => {
                 *from = self.resolve_map(*from)?;
                 *to = self.resolve_map(*to)?;
             }

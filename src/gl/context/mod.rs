@@ -132,6 +132,13 @@ impl Context {
         &self.driver
     }
 
+    /// A function by its name, for those that glow does not have; null if there is none, or if the context is someone
+    /// else's.
+    pub(in crate::gl) fn function(&self, name: &str) -> *const std::ffi::c_void {
+        let current = self.current.as_ref();
+        current.map_or(std::ptr::null(), |current| current.function(name))
+    }
+
     /// The functions.
     pub fn glow(&self) -> &glow::Context {
         &self.gl

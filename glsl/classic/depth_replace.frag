@@ -1,0 +1,24 @@
+#version 430 core
+// The same with NV_texture_shader's DOT_PRODUCT_DEPTH_REPLACE: the depth that is tested and stored is not the
+// rasteriser's.
+
+vec4 surface_color();    // surface/unlit.frag or surface/lit.frag: the primary colour
+
+#include "classic/textures.glsl"
+#include "classic/texture_environment.glsl"
+#include "classic/alpha_test.glsl"
+#include "classic/texture_shader.glsl"
+
+out vec4 color;
+
+void main() {
+    vec4 fragment = surface_color();
+    for (int unit = 0; unit < 4; ++unit) {
+        fragment = texture_environment(unit, fragment, texel(unit));
+    }
+    if (!alpha_test(fragment.a)) {
+        discard;
+    }
+    color = fragment;
+    gl_FragDepth = depth_replace();
+}

@@ -1,0 +1,16 @@
+#version 430 core
+// A surface behind the layers peeled so far; the depth that is stored is computed as r/q (Everitt's depth replace).
+
+vec4 surface_color();    // surface/unlit.frag or surface/lit.frag
+
+#include "invariance/compare.glsl"
+
+out vec4 color;
+
+void main() {
+    if (is_peeled_away()) {
+        discard;
+    }
+    color = surface_color();
+    gl_FragDepth = r_over_q();
+}

@@ -1,0 +1,15 @@
+#version 430 core
+// A surface behind the layers peeled so far; the depth that is stored is the rasteriser's window z.
+
+vec4 surface_color();    // surface/unlit.frag or surface/lit.frag
+
+#include "invariance/compare.glsl"
+
+out vec4 color;
+
+void main() {
+    if (is_peeled_away()) {
+        discard;
+    }
+    color = surface_color();
+}

@@ -1,0 +1,225 @@
+//! The state that classic calls set: matrix stacks, texture units, alpha test. Matrices are f64 until they are used.
+
+use glam::{DMat4, DVec4};
+
+use crate::error::{Error, Result};
+use crate::steps::{
+    ClassicCall, ClassicCapability, Compare, DepthTextureMode, Map, MatrixMode, TexEnvName,
+    TexEnvValue, TextureTarget,
+};
+
+/// How many texture units there are: as many as a GeForce3 had.
+pub const UNITS: usize = 4;
+
+/// What the classic calls have set up to now.
+#[derive(Clone, Debug)]
+pub struct ClassicState {
+    projection: DMat4,
+    mode: MatrixMode,
+    modelview: Vec<DMat4>,
+    texture: [Vec<DMat4>; UNITS],
+    m: DMat4,
+    active: usize,
+    /// The texture units.
+    pub units: [TextureUnit; UNITS],
+    /// Whether fragments are tested by their alpha.
+    pub alpha_test: bool,
+    /// How, and against what.
+    pub alpha_func: (Compare, f32),
+}
+
+/// A texture unit. What belongs to a texture in GL (its depth mode and its comparison) is kept with the unit that it is
+/// bound to here.
+#[derive(Clone, Copy, Debug)]
+pub struct TextureUnit {
+    /// The texture that is looked up by each target, and whether it is enabled; of two, the rectangle.
+    pub two_d: (Option<Map>, bool),
+    /// The same of a rectangle texture.
+    pub rectangle: (Option<Map>, bool),
+    /// `GL_TEXTURE_ENV_MODE`
+    pub environment: TexEnvValue,
+    /// `GL_SHADER_OPERATION_NV`
+    pub operation: TexEnvValue,
+    /// `GL_DEPTH_TEXTURE_MODE`
+    pub depth_mode: DepthTextureMode,
+    /// `GL_TEXTURE_COMPARE_MODE` is `GL_COMPARE_R_TO_TEXTURE`.
+    pub compare: bool,
+    /// `GL_TEXTURE_COMPARE_FUNC`
+    pub compare_func: Compare,
+    /// Whether coordinates are generated.
+    pub texgen: bool,
+    /// For s, t, r and q, as they are applied to eye coordinates.
+    pub eye_planes: [DVec4; 4],
+}
+
+impl ClassicState {
+    /// OpenGL's initial state, but for the modelview matrix, which is the camera's.
+    pub fn new(view: DMat4, projection: DMat4) -> Self {
+        let unit = TextureUnit {
+            two_d: (None, false),
+            rectangle: (None, false),
+            environment: TexEnvValue::Modulate,
+            operation: TexEnvValue::None,
+            depth_mode: DepthTextureMode::Luminance,
+            compare: false,
+            compare_func: Compare::Lequal,
+            texgen: false,
+            // OpenGL's own default planes.
+            eye_planes: [DVec4::X, DVec4::Y, DVec4::ZERO, DVec4::ZERO],
+        };
+        Self {
+            projection,
+            mode: MatrixMode::Modelview,
+            modelview: vec![view],
+            texture: std::array::from_fn(|_| vec![DMat4::IDENTITY]),
+            m: DMat4::IDENTITY,
+            active: 0,
+            units: [unit; UNITS],
+            alpha_test: false,
+            alpha_func: (Compare::Always, 0.0),
+        }
+    }
+
+    /// The modelview matrix.
+    pub fn modelview(&self) -> DMat4 {
+        *self.modelview.last().expect("a stack is never empty")
+    }
+
+    /// A unit's texture matrix.
+    pub fn texture_matrix(&self, unit: usize) -> DMat4 {
+        *self.texture[unit].last().expect("a stack is never empty")
+    }
+
+    /// The stages of Listing 2's two dot products, if they are set up.
+    pub fn depth_replace(&self) -> Option<[usize; 2]> {
+        let stage = |operation| {
+            let units = &mut self.units.iter();
+            units.position(|unit| unit.operation == operation)
+        };
+        Some([
+            stage(TexEnvValue::DotProduct)?,
+            stage(TexEnvValue::DotProductDepthReplace)?,
+        ])
+    }
+
+    /// Performs a call.
+    ///
+    /// # Errors
+    /// What OpenGL refuses, or what is not emulated.
+    pub fn perform(&mut self, call: &ClassicCall) -> Result<()> {
+        let wrong = |why: &str| {
+            Err(Error::usage(
+                format!("{call:?}: {why}"),
+                "see steps::ClassicCall",
+            ))
+        };
+        match *call {
+            ClassicCall::ActiveTexture { unit } if unit as usize >= UNITS => {
+                return wrong("there are four texture units");
+            }
+            ClassicCall::ActiveTexture { unit } => self.active = unit as usize,
+            ClassicCall::BindTexture { target, texture } => match target {
+                TextureTarget::Texture2D => self.unit().two_d.0 = Some(texture),
+                TextureTarget::Rectangle => self.unit().rectangle.0 = Some(texture),
+            },
+            // Which is the machine's: there is only one such texture. Copies are the machine's too.
+            ClassicCall::BindUnsignedHilo | ClassicCall::CopyToRectangle { .. } => {}
+            ClassicCall::Enable { cap } => self.enable(cap, true),
+            ClassicCall::Disable { cap } => self.enable(cap, false),
+            ClassicCall::AlphaFunc { func, reference } => {
+                // GL clamps the reference.
+                self.alpha_func = (func, reference.clamp(0.0, 1.0));
+            }
+            ClassicCall::TexEnv { pname, param, .. } => match pname {
+                TexEnvName::TextureEnvMode => self.unit().environment = param,
+                TexEnvName::ShaderOperation => self.unit().operation = param,
+                TexEnvName::PreviousTextureInput if param == TexEnvValue::Unit(0) => {}
+                _ => return wrong("this is not emulated"),
+            },
+            ClassicCall::DepthTextureMode { mode } => self.unit().depth_mode = mode,
+            ClassicCall::TextureCompareMode { on } => self.unit().compare = on,
+            ClassicCall::TextureCompareFunc { func } => self.unit().compare_func = func,
+            ClassicCall::MatrixMode { mode } => self.mode = mode,
+            ClassicCall::PushMatrix => {
+                let top = *self.top();
+                self.stack().push(top);
+            }
+            ClassicCall::PopMatrix if self.stack().len() == 1 => {
+                return wrong("the stack has one matrix left");
+            }
+            ClassicCall::PopMatrix => {
+                self.stack().pop();
+            }
+            ClassicCall::LoadIdentity => *self.top() = DMat4::IDENTITY,
+            ClassicCall::Translate { x, y, z } => {
+                let by = glam::Vec3::new(x, y, z).as_dvec3();
+                self.multiply(DMat4::from_translation(by));
+            }
+            ClassicCall::Scale { x, y, z } => {
+                // glam refuses a scale of 0, which Listing 2 has.
+                let by = glam::Vec4::new(x, y, z, 1.0).as_dvec4();
+                self.multiply(DMat4::from_diagonal(by));
+            }
+            ClassicCall::SetM { rows } => {
+                let rows = rows.map(|row| row.map(f64::from));
+                self.m = DMat4::from_cols_array_2d(&rows).transpose();
+            }
+            ClassicCall::MultM => self.multiply(self.m),
+            ClassicCall::ApplyPerspective => self.multiply(self.projection),
+            ClassicCall::EyeLinearTexgen => self.set_planes(DMat4::IDENTITY),
+            ClassicCall::EyePlanes { planes } => {
+                let rows = planes.map(|plane| plane.map(f64::from));
+                self.set_planes(DMat4::from_cols_array_2d(&rows));
+            }
+            ClassicCall::Texgen { on } => self.unit().texgen = on,
+        }
+        Ok(())
+    }
+
+    /// Each column is a plane. A plane is a row vector, and the modelview matrix of the time is taken out of it: p M^-1.
+    fn set_planes(&mut self, planes: DMat4) {
+        let transposed = self.modelview().inverse().transpose();
+        let columns = [planes.x_axis, planes.y_axis, planes.z_axis, planes.w_axis];
+        self.unit().eye_planes = columns.map(|plane| transposed * plane);
+    }
+
+    fn enable(&mut self, cap: ClassicCapability, on: bool) {
+        match cap {
+            ClassicCapability::AlphaTest => self.alpha_test = on,
+            ClassicCapability::Texture2D => self.unit().two_d.1 = on,
+            ClassicCapability::TextureRectangle => self.unit().rectangle.1 = on,
+            // The program that draws decides.
+            ClassicCapability::TextureShader => {}
+        }
+    }
+
+    fn unit(&mut self) -> &mut TextureUnit {
+        &mut self.units[self.active]
+    }
+
+    fn stack(&mut self) -> &mut Vec<DMat4> {
+        match self.mode {
+            MatrixMode::Modelview => &mut self.modelview,
+            MatrixMode::Texture => &mut self.texture[self.active],
+        }
+    }
+
+    fn top(&mut self) -> &mut DMat4 {
+        self.stack().last_mut().expect("a stack is never empty")
+    }
+
+    fn multiply(&mut self, by: DMat4) {
+        *self.top() *= by;
+    }
+}
+
+impl TextureUnit {
+    /// The texture that is looked up.
+    pub(super) fn enabled(&self) -> Option<(TextureTarget, Map)> {
+        match (self.rectangle, self.two_d) {
+            ((Some(map), true), _) => Some((TextureTarget::Rectangle, map)),
+            (_, (Some(map), true)) => Some((TextureTarget::Texture2D, map)),
+            _ => None,
+        }
+    }
+}

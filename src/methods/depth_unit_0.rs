@@ -1,0 +1,113 @@
+//! Depth unit 0, which peels: the ways in which it has been made, and those of the invariance experiment.
+
+use crate::error::Result;
+use crate::gl::GlMachine;
+use crate::papers::everitt_2001::{LISTING_2, REPLACED, SHADOW_AS_DEPTH_TEST, WINDOW_Z};
+use crate::steps::{
+    Amendment, ClassicDepthUnits, DepthUnits, Listing, Outcome, Shader, Variables, run,
+};
+
+/// What performs Listing 1's depth unit 0.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum DepthUnit0 {
+    /// A shadow sampler, which compares the rasteriser's own window z: the OpenGL of today, and nothing varies.
+    #[default]
+    Sampler,
+    /// As in 2001: a projective shadow lookup compares r/q, its result goes into alpha, and the alpha test discards.
+    Classic,
+    /// The same with Listing 2: what is stored is r/q as well.
+    ClassicDepthReplace,
+    /// One way of the invariance experiment.
+    Trial(Trial),
+}
+
+/// One way to compare depths.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Trial {
+    /// What the depth buffer holds.
+    pub stored: DepthSource,
+    /// What is compared with it.
+    pub compared: DepthSource,
+    /// What compares.
+    pub place: Place,
+    /// A fragment is peeled away unless it lies behind the stored depth by more than this: the 'fudge factor'.
+    pub bias: f32,
+}
+
+/// Where a depth comes from.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum DepthSource {
+    /// The rasteriser: interpolated linearly in window space.
+    #[default]
+    WindowZ,
+    /// The quotient of r and q, each interpolated linearly in clip space.
+    Quotient,
+}
+
+/// Where depths are compared.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Place {
+    /// `GL_TEXTURE_COMPARE_FUNC`
+    #[default]
+    Sampler,
+    /// The shader, as 32-bit floats.
+    Shader,
+    /// The shader, both sides rounded to a fixed-point depth of so many bits, at most 24.
+    ShaderInBits(u32),
+}
+
+impl DepthUnit0 {
+    /// Runs a listing that has Listing 1 in it.
+    pub(super) fn run(
+        self,
+        machine: &mut GlMachine<'_>,
+        listing: &Listing,
+        amendments: &[Amendment],
+        variables: Variables,
+    ) -> Result<Outcome> {
+        match self {
+            Self::Sampler => run(
+                listing,
+                amendments,
+                variables,
+                &mut DepthUnits::new(machine),
+            ),
+            Self::Classic => {
+                run(&SHADOW_AS_DEPTH_TEST, &[], Variables::new(), machine)?;
+                let mut units = ClassicDepthUnits::new(machine, Shader("classic/fixed"));
+                run(listing, amendments, variables, &mut units)
+            }
+            Self::ClassicDepthReplace => {
+                run(&LISTING_2, &[], Variables::new(), machine)?;
+                run(&SHADOW_AS_DEPTH_TEST, &[], Variables::new(), machine)?;
+                let mut units = ClassicDepthUnits::new(machine, Shader("classic/depth_replace"));
+                run(listing, amendments, variables, &mut units)
+            }
+            Self::Trial(trial) => {
+                let mut all = amendments.to_vec();
+                all.extend(match trial.stored {
+                    DepthSource::WindowZ => WINDOW_Z,
+                    DepthSource::Quotient => REPLACED,
+                });
+                let variables = trial.variables(variables);
+                run(listing, &all, variables, &mut DepthUnits::new(machine))
+            }
+        }
+    }
+}
+
+impl Trial {
+    fn variables(&self, variables: Variables) -> Variables {
+        let steps = match self.place {
+            Place::ShaderInBits(bits) => f64::from((1_u32 << bits.min(24)) - 1),
+            _ => 0.0,
+        };
+        let flag = |flag| if flag { 1.0 } else { 0.0 };
+        variables
+            .with("quotient", flag(self.compared == DepthSource::Quotient))
+            .with("in_shader", flag(self.place != Place::Sampler))
+            .with("steps", steps)
+            .with("bias", f64::from(self.bias))
+            .with("depth_test", 0.0)
+    }
+}

@@ -1,0 +1,36 @@
+//! "Shadow Mapping as Depth Test", as the OpenGL of 2001 does it: the paper gives it in prose.
+//!
+//! The shadow map has the camera's own orientation and resolution, so its texture matrix is the camera's projection with
+//! scale and bias from clip to texture space. The comparison of r/q goes into alpha, and the alpha test discards.
+//!
+//! SGIX_shadow compares by LEQUAL and GEQUAL only; GREATER came with EXT_shadow_funcs, which VTK asks for. Modulating
+//! leaves a fragment that passes its own alpha; one whose alpha is 0 never passes, and nobody misses it.
+
+use crate::steps;
+use crate::steps::{Dialect, Listing, gl::*};
+
+/// Before the peels: texture unit 3 compares r/q with the shadow map that is bound to it.
+pub const SHADOW_AS_DEPTH_TEST: Listing = Listing {
+    title: "Shadow mapping from the camera's own position, its result in alpha",
+    source: "Everitt 2001, Shadow Mapping as Depth Test",
+    dialect: Dialect::Source,
+    steps: steps! {
+        glActiveTextureARB(GL_TEXTURE3_ARB);
+        compare_r_to_texture(true);
+        depth_texture_mode(GL_ALPHA);
+        glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
+        glMatrixMode(GL_MODELVIEW);
+        glPushMatrix();
+        glLoadIdentity();
+        eye_linear_texgen();
+        texgen(true);
+        glPopMatrix();
+        glMatrixMode(GL_TEXTURE);
+        glLoadIdentity();
+        glTranslatef(0.5, 0.5, 0.5);
+        glScalef(0.5, 0.5, 0.5);
+        apply_perspective();
+        glMatrixMode(GL_MODELVIEW);
+        glAlphaFunc(GREATER, 0.0);
+    },
+};

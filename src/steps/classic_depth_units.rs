@@ -1,0 +1,93 @@
+//! Listing 1's imaginary OpenGL, on the OpenGL of 2001: what [`DepthUnits`](super::DepthUnits) is for the one of today.
+//!
+//! | listing | depth unit 0 |
+//! | --- | --- |
+//! | bind buffer | bound to texture unit 3, as Listing 2 leaves it |
+//! | set depth func | `GL_TEXTURE_COMPARE_FUNC` |
+//! | enable, disable depth test | `GL_TEXTURE_2D` and `GL_ALPHA_TEST` together |
+//! | disable depth writes | nothing to do: a texture is not written |
+//!
+//! Depth unit 1 is the ordinary depth buffer. Surfaces that would be drawn with the program `peel` are drawn by the
+//! emulated fixed functions.
+
+use super::call::{Call, Capability, Query, Shader};
+use super::classic::{ClassicCall, ClassicCapability, TextureTarget};
+use super::depth_units::DepthUnits;
+use super::walk::Machine;
+use crate::error::Result;
+
+/// A machine with two depth units, made of one with classic calls.
+#[derive(Debug)]
+pub struct ClassicDepthUnits<'a, M> {
+    units: DepthUnits<'a, M>,
+    active: u8,
+    /// What draws in place of `peel`.
+    fixed_functions: Shader,
+}
+
+/// The texture unit with the shadow map.
+const SHADOW_UNIT: u32 = 3;
+
+impl<'a, M: Machine> ClassicDepthUnits<'a, M> {
+    /// Unit 0 tests nothing yet. `fixed_functions` draws surfaces: `classic/fixed` or `classic/depth_replace`.
+    pub fn new(machine: &'a mut M, fixed_functions: Shader) -> Self {
+        Self {
+            units: DepthUnits::new(machine),
+            active: 1,
+            fixed_functions,
+        }
+    }
+
+    fn classic(&mut self, call: ClassicCall) -> Result<()> {
+        self.units.perform(&Call::Classic(call))
+    }
+
+    fn unit_0(&mut self, call: &Call) -> Result<()> {
+        match *call {
+            Call::BindDepthBuffer { buffer } => {
+                self.classic(ClassicCall::ActiveTexture { unit: SHADOW_UNIT })?;
+                self.classic(ClassicCall::BindTexture {
+                    target: TextureTarget::Texture2D,
+                    texture: buffer,
+                })
+            }
+            Call::DepthFunc { func } => self.classic(ClassicCall::TextureCompareFunc { func }),
+            Call::Enable {
+                cap: Capability::DepthTest,
+            } => self.test(|cap| ClassicCall::Enable { cap }),
+            Call::Disable {
+                cap: Capability::DepthTest,
+            } => self.test(|cap| ClassicCall::Disable { cap }),
+            _ => self.units.perform(call),
+        }
+    }
+
+    fn test(&mut self, call: impl Fn(ClassicCapability) -> ClassicCall) -> Result<()> {
+        self.classic(ClassicCall::ActiveTexture { unit: SHADOW_UNIT })?;
+        self.classic(call(ClassicCapability::Texture2D))?;
+        self.classic(call(ClassicCapability::AlphaTest))
+    }
+}
+
+impl<M: Machine> Machine for ClassicDepthUnits<'_, M> {
+    fn perform(&mut self, call: &Call) -> Result<()> {
+        match *call {
+            Call::ActiveDepthUnit { unit } => {
+                self.active = unit;
+                // Whether there is such a unit, and what is refused in unit 0, is the other one's business.
+                self.units.perform(call)
+            }
+            Call::UseProgram {
+                program: Shader("peel"),
+            } => self.units.perform(&Call::UseProgram {
+                program: self.fixed_functions,
+            }),
+            _ if self.active == 0 => self.unit_0(call),
+            _ => self.units.perform(call),
+        }
+    }
+
+    fn samples(&mut self, query: Query) -> Result<u64> {
+        self.units.samples(query)
+    }
+}
