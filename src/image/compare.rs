@@ -69,6 +69,19 @@ impl Comparison {
     }
 }
 
+impl Comparison {
+    /// How far each pixel's most different channel is apart, in the pictures' order.
+    ///
+    /// # Errors
+    /// If their sizes differ.
+    pub fn pixels(a: &Image, b: &Image) -> Result<Vec<f64>> {
+        Self::new(a, b, 0.0)?;
+        let pairs = a.pixels.iter().zip(&b.pixels);
+        let largest = pairs.map(|(&a, &b)| differences(a, b).into_iter().fold(0.0, f64::max));
+        Ok(largest.collect())
+    }
+}
+
 fn differences(a: Rgba, b: Rgba) -> [f64; 4] {
     let (a, b) = (a.to_array(), b.to_array());
     std::array::from_fn(|channel| {

@@ -11,6 +11,7 @@ mod dual_depth_peeling;
 mod exact;
 mod hybrid_layer_peeling;
 mod ideal_coherent_layer_peeling;
+pub mod invariance;
 mod iteration_bound;
 mod layer_peeling;
 mod painter;
