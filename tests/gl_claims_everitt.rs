@@ -1,5 +1,6 @@
-//! What Everitt 2001 claims, each claim under its key. E03, Listing 1 as text, is in `listings.rs`; E06 to E09 and E11
-//! are not here yet.
+//! What Everitt 2001 claims, each claim under its key. E03, Listing 1 as text, is in `listings.rs`; E08 and what E04
+//! says of the OpenGL of 2001 in `gl_classic_*.rs`; E06, E07 and E09 in `gl_invariance.rs`; E11 in
+//! `gl_cross_section.rs`.
 
 use onionskin::fragment::Rgba;
 use onionskin::gl::{CapturedFragment, Format, Geometry};

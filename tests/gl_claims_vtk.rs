@@ -1,4 +1,5 @@
-//! What VTK's depth peeling page claims, each claim under its key. V07 to V09 are not here yet.
+//! What VTK's depth peeling page claims, each claim under its key. V07 and V09 are in
+//! `gl_claims_vtk_requirements.rs`, V08 in `gl_classic_fixed_function.rs`.
 
 use onionskin::image::Comparison;
 use onionskin::methods::{Compositing, DepthPeelingOptions, Frame, Peeling};

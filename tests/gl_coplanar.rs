@@ -7,8 +7,8 @@ use onionskin::methods::{
     CoplanarDepthPeelingOptions, DepthPeelingOptions, DualDepthPeelingOptions, Frame,
 };
 use onionskin::scene::generate::{Plane, plane};
-use onionskin::steps::Reason;
-use onionskin::{Context, Method, Renderer, Scene};
+use onionskin::steps::{Amendment, Reason, gl::*};
+use onionskin::{Context, Method, Renderer, Scene, steps};
 use proptest::test_runner::{TestCaseError, TestError};
 
 #[path = "common/stack.rs"]
@@ -165,6 +165,35 @@ fn the_detector_finds_what_plain_peeling_drops_and_agrees_with_its_own_count() {
         let found = shown(&context, &scene, &method, format).unwrap();
         assert_eq!((found.missing(), found.doubled()), (0, 0), "{method}");
     }
+}
+
+#[test]
+fn the_detector_finds_what_blending_by_max_merges() {
+    // Dual peeling as it was published, for the back: one blend equation for all draw buffers.
+    const MAX_FOR_ALL: &[Amendment] = &[Amendment {
+        key: "",
+        place: "",
+        printed: steps! { glBlendFunci(2, ONE_MINUS_DST_ALPHA, ONE); },
+        amended: steps! { glBlendEquationi(2, MAX); },
+        why: "to see whether it is noticed",
+        test: "",
+    }];
+    let context = Context::headless().unwrap();
+    let list = [100, 500, 500, 500].map(piece);
+    let stack = Stack {
+        width: 3,
+        pixels: vec![list.to_vec(); 6],
+        opaque: None,
+    };
+    let missing = |amendments| {
+        let method = Method::DualDepthPeeling(DualDepthPeelingOptions {
+            amendments,
+            ..Default::default()
+        });
+        let found = shown(&context, &stack.scene(), &method, Format::Depth32FStencil8);
+        found.unwrap().missing()
+    };
+    assert_eq!((missing(&[]), missing(MAX_FOR_ALL)), (0, 12));
 }
 
 #[test]

@@ -9,6 +9,7 @@ use crate::steps::Format;
 pub(super) const fn internal(format: Format) -> u32 {
     match format {
         Format::Rgba8 => glow::RGBA8,
+        Format::Rgb10A2 => glow::RGB10_A2,
         Format::Rgba16F => glow::RGBA16F,
         Format::Rgba32F => glow::RGBA32F,
         Format::R32F => glow::R32F,
@@ -125,6 +126,24 @@ impl Texture {
             let into = glow::PixelPackData::Slice(Some(into));
             gl.get_tex_image(glow::TEXTURE_2D, 0, format, kind, into);
         });
+    }
+}
+
+impl super::context::Context {
+    /// Bits of alpha per texel, as the driver counts them.
+    ///
+    /// # Errors
+    /// If the driver has no room for a texel.
+    pub fn alpha_bits(&self, format: Format) -> Result<u32> {
+        let gl = self.glow();
+        let texture = Texture::new(gl, format, [1, 1])?;
+        // SAFETY: the texture is bound, has a level 0, and is deleted after it has been asked.
+        let bits = bound(gl, texture.raw, || unsafe {
+            gl.get_tex_level_parameter_i32(glow::TEXTURE_2D, 0, glow::TEXTURE_ALPHA_SIZE)
+        });
+        // SAFETY: it was made above and is nobody else's.
+        unsafe { gl.delete_texture(texture.raw) };
+        Ok(u32::try_from(bits).unwrap_or(0))
     }
 }
 

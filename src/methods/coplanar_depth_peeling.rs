@@ -7,7 +7,7 @@
 //! Excludes: multisampling; depths at or beyond the far plane, which GL clips.
 
 use super::renderer::IMAGE;
-use super::{Algorithm, Composited, Drawn, Peeling};
+use super::{Algorithm, Composited, Drawn, Peeling, requirements};
 use crate::error::Result;
 use crate::gl::{Format, GlMachine};
 use crate::papers::vasilakis_2013::{COPLANAR_PEELING, DEPTH_BUFFERS};
@@ -30,6 +30,7 @@ pub(super) struct CoplanarDepthPeeling {
 
 impl Algorithm for CoplanarDepthPeeling {
     fn prepare(&mut self, machine: &mut GlMachine<'_>, _: &Scene) -> Result<()> {
+        requirements::check(machine.context().driver(), self.color)?;
         for map in DEPTH_BUFFERS {
             machine.allocate(map, self.depth)?;
         }

@@ -9,7 +9,7 @@
 
 use super::depth_unit_0::DepthUnit0;
 use super::renderer::IMAGE;
-use super::{Algorithm, Composited, Drawn, Peeling};
+use super::{Algorithm, Composited, Drawn, Peeling, requirements};
 use crate::error::{Error, Result};
 use crate::gl::{Format, GlMachine};
 use crate::papers::everitt_2001::{self, LISTING_1};
@@ -31,7 +31,9 @@ pub enum Compositing {
 /// What can be chosen about depth peeling.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct DepthPeelingOptions {
-    /// The loop ends after so many peels; 0 is VTK's 'no limit', and the default: the image is exact.
+    /// The loop ends after so many peels; 0 is VTK's 'no limit', and the default: the image is exact. VTK's documents
+    /// say so of 0 too, and its single pass keeps to it; the dual pass that is its default (9.7.2) peels nothing then.
+    /// The default there is 4.
     pub maximum_number_of_peels: u32,
     /// The loop ends after a peel that changed fewer pixels than this part of the image, 0 to 1. 0, the default, is
     /// exact; that last peel is still composited.
@@ -90,6 +92,7 @@ const DEPTH_BUFFER: &str = "depth buffer";
 impl Algorithm for DepthPeeling {
     fn prepare(&mut self, machine: &mut GlMachine<'_>, _: &Scene) -> Result<()> {
         self.options.check()?;
+        requirements::check(machine.context().driver(), self.color)?;
         machine.allocate(vtk::COLOR_BUFFER, self.color)?;
         for number in [0, 1] {
             machine.allocate(Map::numbered(DEPTH_BUFFER, number), self.depth)?;

@@ -10,7 +10,7 @@
 //! Excludes: multisampling; depths at or beyond the far plane, which GL clips.
 
 use super::renderer::IMAGE;
-use super::{Algorithm, Composited, DepthPeelingOptions, Drawn, Peeling};
+use super::{Algorithm, Composited, DepthPeelingOptions, Drawn, Peeling, requirements};
 use crate::error::Result;
 use crate::gl::{Format, GlMachine};
 use crate::papers::bavoil_2008::{self as bavoil, DUAL_DEPTH_PEELING};
@@ -56,6 +56,7 @@ pub(super) struct DualDepthPeeling {
 impl Algorithm for DualDepthPeeling {
     fn prepare(&mut self, machine: &mut GlMachine<'_>, _: &Scene) -> Result<()> {
         self.options.check()?;
+        requirements::check(machine.context().driver(), self.color)?;
         for map in bavoil::DEPTHS {
             machine.allocate(map, Format::Rg32F)?;
         }

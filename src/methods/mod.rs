@@ -18,6 +18,7 @@ mod painter;
 mod peeled;
 mod registry;
 mod renderer;
+mod requirements;
 mod sorting;
 mod stats;
 

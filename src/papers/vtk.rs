@@ -4,6 +4,10 @@
 //! peels; an occlusion query on each peel; two ways to stop; and the two ways to composite that it weighs against each
 //! other. The loop itself is Everitt's Listing 1, amended.
 
+mod requirements;
+
+pub use requirements::{ALPHA_BITS, REQUIRED_EXTENSIONS, missing_extensions};
+
 use crate::papers::everitt_2001::{self, COMPOSITE as BACK_TO_FRONT, LISTING_1};
 use crate::steps;
 use crate::steps::{Amendment, Dialect, Listing, Map, Query, Shader, Target, gl::*};

@@ -5,6 +5,8 @@
 pub enum Format {
     /// Four bytes, each 0 to 1 in 256 steps.
     Rgba8,
+    /// Three numbers of 10 bits, and two bits of alpha.
+    Rgb10A2,
     /// Four 16-bit floats.
     Rgba16F,
     /// Four 32-bit floats.
@@ -33,6 +35,7 @@ impl Format {
         match self {
             Self::Depth16 => 2,
             Self::Rgba8
+            | Self::Rgb10A2
             | Self::R32F
             | Self::Rg16
             | Self::Depth24
@@ -40,6 +43,17 @@ impl Format {
             | Self::Depth24Stencil8 => 4,
             Self::Rgba16F | Self::Rg32F | Self::Depth32FStencil8 => 8,
             Self::Rgba32F => 16,
+        }
+    }
+
+    /// Bits of alpha per texel.
+    pub const fn alpha_bits(self) -> u32 {
+        match self {
+            Self::Rgb10A2 => 2,
+            Self::Rgba8 => 8,
+            Self::Rgba16F => 16,
+            Self::Rgba32F => 32,
+            _ => 0,
         }
     }
 

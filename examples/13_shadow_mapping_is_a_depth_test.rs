@@ -1,0 +1,92 @@
+//! Shadow mapping is a depth test (Everitt 2001).
+//!
+//! Depth peeling as it ran in 2001: a shadow map that has the camera's own orientation and resolution, its comparison
+//! of r/q into alpha, and the alpha test. With Listing 2, which stores r/q as well, it gives the image that today's
+//! shadow sampler gives; without it, it falls apart.
+//!
+//! Writes one picture. Above: the shadow map of the second peel (nearer is darker), and the layer that passes it. Below:
+//! the image with and without Listing 2.
+//!
+//! `cargo run --example 13_shadow_mapping_is_a_depth_test [FOLDER]`
+
+use onionskin::fragment::Rgba;
+use onionskin::image::Comparison;
+use onionskin::methods::{Compositing, DepthPeelingOptions, DepthUnit0, Frame, Layer};
+use onionskin::{Context, Image, Method, Renderer, Scene};
+
+#[path = "common/example.rs"]
+mod example;
+
+fn main() -> onionskin::Result<()> {
+    let scene = Scene::load_at(example::scene("teapot.toml"), Some([512, 384]))?;
+    let context = Context::headless()?;
+    let mut renderer = Renderer::new(&context, 512, 384)?;
+    let exact = renderer.render(&scene, &Method::Exact)?;
+
+    println!("depth unit 0         peels  maximum error  pixels off by more than 1/255");
+    let mut frames = Vec::new();
+    for depth_unit_0 in [
+        DepthUnit0::Sampler,
+        DepthUnit0::ClassicDepthReplace,
+        DepthUnit0::Classic,
+    ] {
+        let options = DepthPeelingOptions {
+            compositing: Compositing::KeepLayers,
+            depth_unit_0,
+            // Without Listing 2 the loop would never end.
+            maximum_number_of_peels: 16,
+            ..Default::default()
+        };
+        let frame = renderer.render(&scene, &Method::DepthPeeling(options))?;
+        let error = Comparison::new(&frame.image, &exact.image, 1.0 / 255.0)?;
+        println!(
+            "{:<20} {:5} {:14.6} {:14}",
+            format!("{depth_unit_0:?}"),
+            frame.stats.iterations,
+            error.max,
+            error.over
+        );
+        frames.push(frame);
+    }
+
+    let [_, replaced, classic]: [Frame; 3] = frames.try_into().expect("three ways");
+    let map = shadow_map(&replaced.layers[0]);
+    let layer = opaque(&replaced.layers[1]);
+    let path = example::output("13_shadow_mapping_is_a_depth_test.png")?;
+    let pictures = [&map, &layer, &replaced.image, &classic.image];
+    Image::grid(&pictures, 2, 4, Rgba::opaque([0.6; 3])).save(&path)?;
+    println!("{}", path.display());
+    Ok(())
+}
+
+/// The depths of a layer in grey, from its nearest, dark, to its farthest, light; white where there is none.
+fn shadow_map(layer: &Layer) -> Image {
+    let some = || layer.depth.iter().copied().filter(|&depth| depth < 1.0);
+    let nearest = some().fold(1.0, f32::min);
+    let farthest = some().fold(0.0, f32::max);
+    let grey = |&depth: &f32| {
+        let along = (depth - nearest) / (farthest - nearest).max(f32::MIN_POSITIVE);
+        let grey = if depth < 1.0 { 0.8 * along } else { 1.0 };
+        Rgba::opaque([grey; 3])
+    };
+    Image {
+        pixels: layer.depth.iter().map(grey).collect(),
+        ..layer.color
+    }
+}
+
+/// A layer as an opaque picture over white.
+fn opaque(layer: &Layer) -> Image {
+    let texels = layer.color.pixels.iter().zip(&layer.depth);
+    let color = |(&color, &depth): (&Rgba, &f32)| {
+        if depth < 1.0 {
+            Rgba { a: 1.0, ..color }
+        } else {
+            Rgba::opaque([1.0; 3])
+        }
+    };
+    Image {
+        pixels: texels.map(color).collect(),
+        ..layer.color
+    }
+}

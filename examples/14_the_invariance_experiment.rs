@@ -1,0 +1,193 @@
+//! The invariance experiment (Everitt 2001, "An Invariance Issue").
+//!
+//! Depth peeling compares a depth with one that was stored a pass ago. Here both are made in every way: the
+//! rasteriser's window z or the quotient r/q; compared by the sampler or by the shader; stored in 16, 24 or 32 bits;
+//! and with the fudge factors that renderers use where the two sides do not agree. Then what rounding does to the
+//! colours, in three formats of the image.
+//!
+//! Writes one picture, where the pixels lie: grey is right, red repeats a layer for ever, orange has some layer twice,
+//! blue lacks one. Above: r/q against window z without a bias, with 1e-7, with 2e-3. Below: window z against itself in
+//! 24 bits, depth replace in 24 bits, and depth replace in 32-bit floats.
+//!
+//! `cargo run --example 14_the_invariance_experiment [FOLDER]`
+
+use onionskin::fragment::Rgba;
+use onionskin::gl::Format;
+use onionskin::image::Comparison;
+use onionskin::methods::invariance::{Finding, Verdict, perspective_soup, try_out};
+use onionskin::methods::{DepthPeelingOptions, DepthSource, Place, Trial};
+use onionskin::scene::generate::{Order, Quads, quads};
+use onionskin::{Context, Image, Method, Renderer, Result, Scene};
+
+#[path = "common/example.rs"]
+mod example;
+
+const SIZE: [u32; 2] = [192, 144];
+const D32F: Format = Format::Depth32F;
+
+/// What is stored, and what is compared with it.
+const SOURCES: [(&str, DepthSource, DepthSource); 3] = [
+    (
+        "window z : window z",
+        DepthSource::WindowZ,
+        DepthSource::WindowZ,
+    ),
+    (
+        "window z : r/q",
+        DepthSource::WindowZ,
+        DepthSource::Quotient,
+    ),
+    (
+        "depth replace : r/q",
+        DepthSource::Quotient,
+        DepthSource::Quotient,
+    ),
+];
+
+fn main() -> Result<()> {
+    let context = Context::headless()?;
+    stored_and_compared(&context)?;
+    fudge_factors(&context)?;
+    accumulators(&context)?;
+    picture(&context)
+}
+
+/// Which pixels are wrong, and how many of them are stuck, for each format and far/near.
+fn stored_and_compared(context: &Context) -> Result<()> {
+    let formats = [
+        ("D16", Format::Depth16, 16),
+        ("D24", Format::Depth24, 24),
+        ("D32F", D32F, 24),
+    ];
+    println!("wrong pixels (stuck ones), of {}", SIZE[0] * SIZE[1]);
+    println!(
+        "{:<22}{:<24}{:<6}{:>15}{:>15}{:>15}{:>15}",
+        "stored : compared", "compared in", "", "far/near = 10", "100", "1000", "10000"
+    );
+    let ratios = [10.0, 100.0, 1000.0, 10_000.0];
+    let mut studies = Vec::new();
+    for ratio in ratios {
+        studies.push(study(context, ratio)?);
+    }
+    for (name, stored, compared) in SOURCES {
+        for (format_name, format, bits) in formats {
+            let places = [Place::Sampler, Place::Shader, Place::ShaderInBits(bits)];
+            for place in places {
+                if format == D32F && place == Place::ShaderInBits(bits) {
+                    continue;
+                }
+                let mut cells = String::new();
+                for (scene, exact) in &studies {
+                    let trial = Trial {
+                        stored,
+                        compared,
+                        place,
+                        bias: 0.0,
+                    };
+                    let finding = try_out(context, scene, exact, trial, format)?;
+                    let stuck = finding.count(Verdict::Stuck);
+                    cells += &format!("{:>15}", format!("{} ({stuck})", finding.wrong()));
+                }
+                println!("{name:<22}{:<24}{format_name:<6}{cells}", place_name(place));
+            }
+        }
+    }
+    Ok(())
+}
+
+fn place_name(place: Place) -> String {
+    match place {
+        Place::Sampler => "sampler".into(),
+        Place::Shader => "shader".into(),
+        Place::ShaderInBits(bits) => format!("shader, both in {bits} bits"),
+    }
+}
+
+/// What each margin costs: layers that are there twice, and layers that are not there.
+fn fudge_factors(context: &Context) -> Result<()> {
+    println!("\nbias, D32F, far/near 1000   fragments missing   doubled   wrong pixels   ended");
+    let (scene, exact) = study(context, 1000.0)?;
+    for (name, stored, compared) in SOURCES {
+        for bias in [0.0, 1e-7, 1e-6, 2e-3] {
+            let trial = Trial {
+                stored,
+                compared,
+                bias,
+                ..Trial::default()
+            };
+            let finding = try_out(context, &scene, &exact, trial, D32F)?;
+            println!(
+                "{name:<20} {bias:<8e}{:17} {:9} {:14}   {}",
+                finding.missing,
+                finding.doubled,
+                finding.wrong(),
+                if finding.ended { "yes" } else { "no" }
+            );
+        }
+    }
+    Ok(())
+}
+
+/// The error of the image's format against depth complexity.
+fn accumulators(context: &Context) -> Result<()> {
+    println!("\nlayers of opacity 0.02   largest error in RGBA8   RGBA16F    RGBA32F");
+    for count in [4, 8, 16, 32, 64, 128, 256] {
+        let parameters = Quads {
+            count,
+            alpha: 0.02,
+            order: Order::Shuffled,
+            ..Quads::default()
+        };
+        let mut scene = Scene::of("quads", vec![quads(&parameters)?]);
+        scene.size = [40, 30];
+        scene.background = [1.0; 3];
+        let mut renderer = Renderer::new(context, 40, 30)?;
+        let exact = renderer.render(&scene, &Method::Exact)?.image;
+        let mut cells = String::new();
+        for color in [Format::Rgba8, Format::Rgba16F, Format::Rgba32F] {
+            renderer = renderer.with_formats(color, D32F);
+            let method = Method::DepthPeeling(DepthPeelingOptions::default());
+            let image = renderer.render(&scene, &method)?.image;
+            let error = Comparison::new(&image, &exact, 0.0)?.max;
+            cells += &format!("{error:11.1e}");
+        }
+        println!("{count:22}   {cells}");
+    }
+    Ok(())
+}
+
+fn picture(context: &Context) -> Result<()> {
+    let (scene, exact) = study(context, 1000.0)?;
+    let (near, near_exact) = study(context, 10.0)?;
+    let [window_z, mixed, replaced] = SOURCES.map(|(_, stored, compared)| Trial {
+        stored,
+        compared,
+        ..Trial::default()
+    });
+    let with_bias = |bias| Trial { bias, ..mixed };
+    let mut findings: Vec<Finding> = Vec::new();
+    for trial in [mixed, with_bias(1e-7), with_bias(2e-3)] {
+        findings.push(try_out(context, &scene, &exact, trial, D32F)?);
+    }
+    for (trial, format) in [
+        (window_z, Format::Depth24),
+        (replaced, Format::Depth24),
+        (replaced, D32F),
+    ] {
+        findings.push(try_out(context, &near, &near_exact, trial, format)?);
+    }
+    let pictures: Vec<Image> = findings.iter().map(Finding::picture).collect();
+    let path = example::output("14_the_invariance_experiment.png")?;
+    let references: Vec<_> = pictures.iter().collect();
+    Image::grid(&references, 3, 4, Rgba::opaque([0.4; 3])).save(&path)?;
+    println!("{}", path.display());
+    Ok(())
+}
+
+/// Random triangles in perspective, and their exact image.
+fn study(context: &Context, ratio: f64) -> Result<(Scene, Image)> {
+    let scene = perspective_soup(1, 200, ratio, SIZE)?;
+    let mut renderer = Renderer::new(context, SIZE[0], SIZE[1])?;
+    let exact = renderer.render(&scene, &Method::Exact)?.image;
+    Ok((scene, exact))
+}

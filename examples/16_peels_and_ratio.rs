@@ -1,0 +1,84 @@
+//! VTK's two options on a real mesh: the maximum number of peels, and the occlusion ratio.
+//!
+//! The molecule, peeled from once to as often as it takes, with the error and the time of each; then with occlusion
+//! ratios from 0 up; and dual peeling beside it, which takes two layers a peel.
+//!
+//! Writes one picture: after 1, 4 and 12 peels above; the same with dual peeling below.
+//!
+//! `cargo run --release --example 16_peels_and_ratio [FOLDER]`
+
+use onionskin::fragment::Rgba;
+use onionskin::image::Comparison;
+use onionskin::methods::{DepthPeelingOptions, DualDepthPeelingOptions, Frame};
+use onionskin::{Context, Image, Method, Renderer, Result, Scene};
+
+#[path = "common/example.rs"]
+mod example;
+
+fn main() -> Result<()> {
+    let scene = Scene::load_at(example::scene("molecule.toml"), Some([256, 192]))?;
+    let context = Context::headless()?;
+    let mut renderer = Renderer::new(&context, 256, 192)?;
+    let exact = renderer.render(&scene, &Method::Exact)?.image;
+    // Compiles the shaders, so that the first row's time is a peel's.
+    let all = renderer.render(&scene, &single(0, 0.0))?.stats.iterations;
+    renderer.render(&scene, &dual(0, 0.0))?;
+
+    println!("         depth-peeling                          dual-depth-peeling");
+    println!("peels     rms error  fragments left      ms      rms error  fragments left      ms");
+    let mut pictures = [Vec::new(), Vec::new()];
+    // Every number of peels at first, then fewer and fewer of them.
+    let some =
+        (1..all).filter(|peels| *peels <= 4 || (*peels <= 12 && peels % 2 == 0) || peels % 4 == 0);
+    for peels in some.chain([all]) {
+        let mut row = format!("{peels:5}");
+        for (number, method) in [single(peels, 0.0), dual(peels, 0.0)].iter().enumerate() {
+            let frame = renderer.render(&scene, method)?;
+            row += &cells(&frame, &exact)?;
+            if [1, 4, 12].contains(&peels) {
+                pictures[number].push(frame.image);
+            }
+        }
+        println!("{row}");
+    }
+
+    println!("\nratio    peels  rms error  fragments left      ms   stopped");
+    for ratio in [0.0, 0.001, 0.01, 0.05, 0.2] {
+        let frame = renderer.render(&scene, &single(0, ratio))?;
+        let stats = &frame.stats;
+        let row = cells(&frame, &exact)?;
+        println!(
+            "{ratio:<6} {:7}{row}   {}",
+            stats.iterations,
+            stats.stopped_text()
+        );
+    }
+
+    let path = example::output("16_peels_and_ratio.png")?;
+    let pictures: Vec<&Image> = pictures.iter().flatten().collect();
+    Image::grid(&pictures, 3, 4, Rgba::opaque([0.6; 3])).save(&path)?;
+    println!("{}", path.display());
+    Ok(())
+}
+
+fn cells(frame: &Frame, exact: &Image) -> Result<String> {
+    let rms = Comparison::new(&frame.image, exact, 0.0)?.rms;
+    let left = frame.stats.lost.unwrap_or_default();
+    Ok(format!("{rms:14.6} {left:15} {:7.1}", frame.stats.ms))
+}
+
+fn single(maximum_number_of_peels: u32, occlusion_ratio: f64) -> Method {
+    Method::DepthPeeling(DepthPeelingOptions {
+        maximum_number_of_peels,
+        occlusion_ratio,
+        ..Default::default()
+    })
+}
+
+fn dual(maximum_number_of_peels: u32, occlusion_ratio: f64) -> Method {
+    Method::DualDepthPeeling(DualDepthPeelingOptions {
+        maximum_number_of_peels,
+        occlusion_ratio,
+        ..Default::default()
+    })
+}
