@@ -29,7 +29,12 @@ fn main() -> onionskin::Result<()> {
     let exact = Renderer::new(&context, SIZE[0], SIZE[1])?.render(&scene, &Method::Exact)?;
     println!("{} fragments", exact.stats.fragments);
     println!("method                    missing  doubled  lost by its own count  maximum error");
+    let driver = context.driver();
     for entry in registry() {
+        if !entry.needs.iter().all(|name| driver.has(name)) {
+            println!("{:<24} needs {}", entry.name, entry.needs.join(", "));
+            continue;
+        }
         let method = entry.method;
         let mut renderer = Renderer::new(&context, SIZE[0], SIZE[1])?;
         let frame = renderer.render(&scene, &method)?;

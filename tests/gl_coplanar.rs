@@ -4,7 +4,7 @@ use onionskin::gl::Format;
 use onionskin::image::Comparison;
 use onionskin::methods::coplanar::shown;
 use onionskin::methods::{
-    CoplanarDepthPeelingOptions, DepthPeelingOptions, DualDepthPeelingOptions, Frame,
+    CoplanarDepthPeelingOptions, DepthPeelingOptions, DualDepthPeelingOptions, Frame, registry,
 };
 use onionskin::scene::generate::{Plane, plane};
 use onionskin::steps::{Amendment, Reason, gl::*};
@@ -164,6 +164,26 @@ fn the_detector_finds_what_plain_peeling_drops_and_agrees_with_its_own_count() {
     ] {
         let found = shown(&context, &scene, &method, format).unwrap();
         assert_eq!((found.missing(), found.doubled()), (0, 0), "{method}");
+    }
+}
+
+#[test]
+fn the_detector_agrees_with_every_methods_own_count() {
+    let context = Context::headless().unwrap();
+    let scene = with_duplicates(&example("teapot"));
+    for entry in registry() {
+        if !entry.needs.iter().all(|name| context.driver().has(name)) {
+            println!("skipped: {} ({:?})", entry.name, entry.needs);
+            continue;
+        }
+        let lost = render(&context, &scene, &entry.method).stats.lost;
+        let found = shown(&context, &scene, &entry.method, Format::Depth32FStencil8).unwrap();
+        assert_eq!(
+            (Some(found.missing()), found.doubled()),
+            (lost, 0),
+            "{}",
+            entry.name
+        );
     }
 }
 

@@ -9,9 +9,12 @@
 //!
 //! | method | fragments of equal depth |
 //! | --- | --- |
-//! | `exact`, `coplanar-depth-peeling`, `dual-depth-peeling` | all of them, in that order |
+//! | `exact`, `coplanar-depth-peeling`, `dual-depth-peeling`, `layer-peeling` | all of them, in that order |
+//! | `hybrid-layer-peeling`, `coherent-layer-peeling-*`, `ideal-*` | all of them, in the order in which they are drawn after sorting |
 //! | `depth-peeling` | the first one is kept, the others are lost and counted (Everitt: "each unique depth") |
 //! | `blend`, `painter` | all of them, each over those submitted before it |
+//!
+//! [`Entry::ties`](super::Entry::ties) says it of each method in the registry.
 //!
 //! # The detector
 //!
