@@ -5,8 +5,11 @@ use std::collections::HashSet;
 use onionskin::gl::Format;
 use onionskin::image::{Comparison, Image};
 use onionskin::methods::invariance::{Finding, Verdict, perspective_soup, try_out};
-use onionskin::methods::{DepthPeelingOptions, DepthSource, Frame, Place, Trial};
+use onionskin::methods::{
+    CoplanarDepthPeelingOptions, DepthPeelingOptions, DepthSource, DepthUnit0, Frame, Place, Trial,
+};
 use onionskin::scene::generate::{Order, Quads, quads};
+use onionskin::steps::Reason;
 use onionskin::{Context, Method, Renderer, Scene};
 
 #[path = "common/lists.rs"]
@@ -167,6 +170,60 @@ fn e07_on_24_bits_the_sampler_compares_what_was_not_rounded_and_the_loop_gets_st
                 "{verdict:?}: {list:?}"
             );
         }
+    }
+}
+
+#[test]
+fn e07_on_24_bits_a_pixel_is_stuck_just_where_a_stored_depth_was_rounded_down() {
+    // Stored is rint(z (2^24 - 1)), and what a texel gives is that times the f32 nearest to 1 / (2^24 - 1).
+    let study = Study::new(10.0);
+    let finding = study.try_out(WINDOW_Z, D24);
+    const STEPS: f32 = ((1 << 24) - 1) as f32;
+    let rounded_down = |fragment: &onionskin::gl::CapturedFragment| {
+        let texel = (fragment.depth * STEPS).round_ties_even() * (1.0 / STEPS);
+        fragment.depth > texel
+    };
+    for (pixel, verdict) in finding.pixels.iter().enumerate() {
+        let list = &study.lists.pixels[pixel];
+        let expected = list.iter().any(rounded_down);
+        assert_eq!(*verdict == Verdict::Stuck, expected, "{list:?}");
+    }
+    assert!(finding.count(Verdict::Stuck) > 100);
+}
+
+#[test]
+fn e07_a_loop_that_would_never_end_is_given_up_and_says_so() {
+    // No limit is asked for: the bound is the depth complexity of the scene.
+    let study = Study::new(10.0);
+    let coplanar = CoplanarDepthPeelingOptions::default();
+    let single = |depth_unit_0| {
+        Method::DepthPeeling(DepthPeelingOptions {
+            depth_unit_0,
+            ..Default::default()
+        })
+    };
+    let most = study.lists.complexity() as u32 + 1;
+    for (method, depth) in [
+        (single(DepthUnit0::Classic), D32F),
+        (single(DepthUnit0::Trial(MIXED)), D32F),
+        (single(DepthUnit0::Sampler), D24),
+        (Method::CoplanarDepthPeeling(coplanar), D24),
+    ] {
+        let stats = study.render(&method, depth).stats;
+        assert_eq!(
+            (stats.iterations, stats.stopped, stats.lost),
+            (most, Some(Reason::NoEnd), None),
+            "{stats}"
+        );
+    }
+    // One that ends by itself is not disturbed.
+    for method in [
+        single(DepthUnit0::ClassicDepthReplace),
+        single(DepthUnit0::Sampler),
+    ] {
+        let stats = study.render(&method, D32F).stats;
+        assert_eq!(stats.stopped, Some(Reason::EmptyLayer), "{stats}");
+        assert_eq!((stats.iterations, stats.lost), (most, Some(0)), "{stats}");
     }
 }
 

@@ -6,6 +6,7 @@
 //!
 //! Excludes: multisampling; depths at or beyond the far plane, which GL clips.
 
+use super::iteration_bound::iteration_bound;
 use super::renderer::IMAGE;
 use super::{Algorithm, Composited, Drawn, Peeling, requirements};
 use crate::error::Result;
@@ -23,14 +24,31 @@ pub struct CoplanarDepthPeelingOptions {
 }
 
 pub(super) struct CoplanarDepthPeeling {
-    pub(super) options: CoplanarDepthPeelingOptions,
-    pub(super) color: Format,
-    pub(super) depth: Format,
+    options: CoplanarDepthPeelingOptions,
+    color: Format,
+    depth: Format,
+    /// How many peels a loop without a limit may need.
+    bound: f64,
+}
+
+impl CoplanarDepthPeeling {
+    pub(super) fn new(options: CoplanarDepthPeelingOptions, color: Format, depth: Format) -> Self {
+        Self {
+            options,
+            color,
+            depth,
+            bound: f64::INFINITY,
+        }
+    }
 }
 
 impl Algorithm for CoplanarDepthPeeling {
     fn prepare(&mut self, machine: &mut GlMachine<'_>, _: &Scene) -> Result<()> {
         requirements::check(machine.context().driver(), self.color)?;
+        // Rounded depths may peel the same layer for ever.
+        if self.options.maximum_number_of_peels == 0 && !self.depth.has_float_depth() {
+            self.bound = iteration_bound(machine)?;
+        }
         for map in DEPTH_BUFFERS {
             machine.allocate(map, self.depth)?;
         }
@@ -54,7 +72,7 @@ impl Algorithm for CoplanarDepthPeeling {
             });
         }
         let peels = match self.options.maximum_number_of_peels {
-            0 => f64::INFINITY,
+            0 => self.bound,
             peels => f64::from(peels),
         };
         let outcome = run(
@@ -64,11 +82,20 @@ impl Algorithm for CoplanarDepthPeeling {
             &mut DepthUnits::new(machine),
         )?;
         let number = |name| outcome.variables.get(name).unwrap_or(0.0);
+        let stopped = match (outcome.stopped, self.options.maximum_number_of_peels) {
+            (Some(reason), _) => reason,
+            (None, 0) => Reason::NoEnd,
+            (None, _) => Reason::PeelLimit,
+        };
         Ok(Drawn {
             iterations: number("peels") as u32,
             layers: Some(number("num_layers") as u32),
-            composited: Composited::Some(number("composited") as u64),
-            stopped: Some(outcome.stopped.unwrap_or(Reason::PeelLimit)),
+            composited: match stopped {
+                // Layers have been counted more often than once.
+                Reason::NoEnd => Composited::Unknown,
+                _ => Composited::Some(number("composited") as u64),
+            },
+            stopped: Some(stopped),
             peeling: Peeling::Used,
             image: None,
         })

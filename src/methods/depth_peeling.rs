@@ -8,6 +8,7 @@
 //! Excludes: multisampling; depths at or beyond the far plane, which GL clips.
 
 use super::depth_unit_0::DepthUnit0;
+use super::iteration_bound::iteration_bound;
 use super::renderer::IMAGE;
 use super::{Algorithm, Composited, Drawn, Peeling, requirements};
 use crate::error::{Error, Result};
@@ -71,6 +72,12 @@ impl DepthPeelingOptions {
                 "0 is exact; 0.01 ignores peels that change less than 1% of the image",
             ));
         }
+        if self.as_printed && self.depth_unit_0 != DepthUnit0::Sampler {
+            return Err(Error::usage(
+                "Listing 1 as printed has depth units of its own",
+                "leave out one of the two: --as-printed, or --depth-unit-0",
+            ));
+        }
         if self.as_printed && self.maximum_number_of_peels == 0 {
             return Err(Error::usage(
                 "Listing 1 as printed has no way to find out when to stop",
@@ -82,9 +89,11 @@ impl DepthPeelingOptions {
 }
 
 pub(super) struct DepthPeeling {
-    pub(super) options: DepthPeelingOptions,
-    pub(super) color: Format,
-    pub(super) depth: Format,
+    options: DepthPeelingOptions,
+    color: Format,
+    depth: Format,
+    /// How many peels a loop without a limit may need.
+    bound: f64,
 }
 
 const DEPTH_BUFFER: &str = "depth buffer";
@@ -93,6 +102,9 @@ impl Algorithm for DepthPeeling {
     fn prepare(&mut self, machine: &mut GlMachine<'_>, _: &Scene) -> Result<()> {
         self.options.check()?;
         requirements::check(machine.context().driver(), self.color)?;
+        if self.options.maximum_number_of_peels == 0 && self.may_get_stuck() {
+            self.bound = iteration_bound(machine)?;
+        }
         machine.allocate(vtk::COLOR_BUFFER, self.color)?;
         for number in [0, 1] {
             machine.allocate(Map::numbered(DEPTH_BUFFER, number), self.depth)?;
@@ -135,14 +147,37 @@ impl Algorithm for DepthPeeling {
             self.options
                 .depth_unit_0
                 .run(machine, &listing, self.options.amendments, variables)?;
-        Ok(drawn(&outcome))
+        let mut drawn = drawn(&outcome);
+        if self.may_get_stuck() && outcome.stopped != Some(Reason::EmptyLayer) {
+            // Layers may have been counted twice.
+            drawn.composited = Composited::Unknown;
+            if outcome.stopped.is_none() && self.options.maximum_number_of_peels == 0 {
+                drawn.stopped = Some(Reason::NoEnd);
+            }
+        }
+        Ok(drawn)
     }
 }
 
 impl DepthPeeling {
+    pub(super) fn new(options: DepthPeelingOptions, color: Format, depth: Format) -> Self {
+        Self {
+            options,
+            color,
+            depth,
+            bound: f64::INFINITY,
+        }
+    }
+
+    /// Whether a fragment may pass the comparison with its own depth, again and again: where it is not the rasteriser's
+    /// depth that is compared, or where what was stored has been rounded.
+    fn may_get_stuck(&self) -> bool {
+        self.options.depth_unit_0 != DepthUnit0::Sampler || !self.depth.has_float_depth()
+    }
+
     fn variables(&self) -> Variables {
         let peels = match self.options.maximum_number_of_peels {
-            0 => f64::INFINITY,
+            0 => self.bound,
             peels => f64::from(peels),
         };
         Variables::new().with("num_passes", peels)

@@ -157,11 +157,9 @@ impl<'c> Renderer<'c> {
         let mut algorithm: Box<dyn Algorithm> = match method {
             Method::Blend => Box::new(blend::Blend),
             Method::Painter => Box::new(painter::Painter),
-            Method::DepthPeeling(options) => Box::new(DepthPeeling {
-                options: *options,
-                color: self.color,
-                depth: self.depth,
-            }),
+            Method::DepthPeeling(options) => {
+                Box::new(DepthPeeling::new(*options, self.color, self.depth))
+            }
             Method::LayerPeeling(options) => Box::new(LayerPeeling {
                 options: Peeled::new(options.as_printed),
                 color: self.color,
@@ -184,11 +182,9 @@ impl<'c> Renderer<'c> {
                 color: self.color,
                 end: Variables::new(),
             }),
-            Method::CoplanarDepthPeeling(options) => Box::new(CoplanarDepthPeeling {
-                options: *options,
-                color: self.color,
-                depth: self.depth,
-            }),
+            Method::CoplanarDepthPeeling(options) => {
+                Box::new(CoplanarDepthPeeling::new(*options, self.color, self.depth))
+            }
             Method::Exact => Box::new(exact::Exact),
         };
         algorithm.prepare(machine, scene)?;

@@ -69,6 +69,11 @@ impl Format {
         )
     }
 
+    /// Whether it stores depths as they come, without rounding them to steps.
+    pub const fn has_float_depth(self) -> bool {
+        matches!(self, Self::Depth32FStencil8 | Self::Depth32F)
+    }
+
     /// Whether it stores stencil values.
     pub const fn has_stencil(self) -> bool {
         matches!(self, Self::Depth32FStencil8 | Self::Depth24Stencil8)
