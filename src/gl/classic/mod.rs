@@ -1,4 +1,4 @@
-//! The OpenGL of 2001: emulated in GLSL ([`GlMachine`] takes the calls as they are), and the real one, where a
+//! The OpenGL of 2001: emulated in GLSL ([`GlMachine`](super::GlMachine) takes the calls as they are), and the real one, where a
 //! compatibility profile still has it ([`FixedFunction`]), to hold the emulation against.
 //!
 //! NV_texture_shader exists on no driver of today, so what Listing 2 does with it is emulated only, and held against the
