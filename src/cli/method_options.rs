@@ -7,7 +7,7 @@ use onionskin::methods::{
 };
 use onionskin::{Error, Method, Result};
 
-const PEELING: &str = "Options of depth-peeling; --peels is also dual and coplanar peeling's, --occlusion-ratio dual peeling's";
+const PEELING: &str = "Options of depth-peeling";
 const PAPERS: &str =
     "Options of depth-peeling, layer-peeling, hybrid-layer-peeling and the coherent methods";
 const COHERENT: &str = "Options of the coherent methods";
