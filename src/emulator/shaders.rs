@@ -25,9 +25,10 @@ pub(super) struct Kept {
 type Twin = fn(&Inputs<'_>) -> Outputs;
 
 /// Every twin by its file's name.
-const TWINS: [(&str, Twin); 15] = [
+const TWINS: [(&str, Twin); 16] = [
     ("surface", surface),
     ("peel", peel),
+    ("coplanar", coplanar),
     ("layer", layer),
     ("over", over),
     ("under", under),
@@ -91,6 +92,14 @@ fn peel(i: &Inputs<'_>) -> Outputs {
         return None;
     }
     keep(i.fragment.color.to_array())
+}
+
+// coplanar.frag
+fn coplanar(i: &Inputs<'_>) -> Outputs {
+    if !(i.shadow)(i.fragment.depth) {
+        return None;
+    }
+    keep(premultiplied(i.fragment.color.to_array()))
 }
 
 // layer.frag
