@@ -17,7 +17,7 @@ use onionskin::papers::carr_2008::passes::{PASS_1, PASS_2, PASS_3, PASS_4};
 use onionskin::papers::carr_2008::{D_SN, DEPTH_BUFFER, PEEL, Z_MIN_POST, Z_MIN_PREV};
 use onionskin::papers::vtk;
 use onionskin::scene::generate::{Quads, quads};
-use onionskin::steps::{Dialect, Format, Listing, Machine, Map, Variables, Workspace, gl::*, run};
+use onionskin::steps::{Dialect, Format, Listing, Map, Variables, Workspace, gl::*, run};
 use onionskin::{Context, Image, Result, Scene, steps};
 
 #[path = "common/example.rs"]
@@ -152,7 +152,7 @@ fn furnish(workspace: &mut impl Workspace) -> Result<()> {
 }
 
 /// Nothing opaque, and everything up to s4 peeled.
-fn begin(machine: &mut (impl Machine + Workspace), s4: f32) -> Result<()> {
+fn begin(machine: &mut impl Workspace, s4: f32) -> Result<()> {
     run(&vtk::OPAQUE_FIRST, &[], Variables::new(), machine)?;
     coherent::begin_batch(machine, s4, 1.0)
 }

@@ -2,9 +2,9 @@
 
 use std::collections::HashMap;
 
+use super::place::{Attached, Place, Plane, texel, write_masked};
 use super::record::{Draw, Fate, Outcome, Record};
 use super::shaders::{Inputs, twin};
-use super::stages;
 use super::state::State;
 use super::{color, depth};
 use crate::error::{Error, Result};
@@ -63,24 +63,6 @@ pub struct Emulator {
     composited: Vec<Vec<u32>>,
     watched: Option<usize>,
     record: Record,
-}
-
-/// A map's texels, one a pixel.
-#[derive(Clone, Debug)]
-struct Plane {
-    format: Format,
-    /// Of a color map, with all channels that its format lacks at 0.
-    colors: Vec<[f32; 4]>,
-    /// Of a depth map, as the depth format stores them.
-    depths: Vec<f32>,
-    stencils: Vec<u8>,
-}
-
-/// What a framebuffer draws into.
-#[derive(Clone, Copy, Debug, Default)]
-struct Attached {
-    color: Option<usize>,
-    depth: Option<usize>,
 }
 
 /// Window depth of what is drawn over the screen: its vertices are at z = 0 in clip space.
@@ -311,103 +293,6 @@ const SCREEN: Surface = Surface {
     },
     kind: Kind::Unsorted,
 };
-
-/// What a lookup reads; an unbound unit reads nothing.
-fn texel(planes: &[Plane], bound: Option<usize>, pixel: usize) -> [f32; 4] {
-    let Some(plane) = bound.map(|plane| &planes[plane]) else {
-        return [0.0; 4];
-    };
-    match plane.format.has_depth() {
-        true => {
-            let depth = depth::sampled_by_llvmpipe(plane.format, plane.depths[pixel]);
-            [depth, 0.0, 0.0, 1.0]
-        }
-        false => plane.colors[pixel],
-    }
-}
-
-fn write_masked(texel: &mut [f32; 4], new: [f32; 4], mask: [bool; 4]) {
-    for ((texel, new), mask) in texel.iter_mut().zip(new).zip(mask) {
-        if mask {
-            *texel = new;
-        }
-    }
-}
-
-/// One pixel of a framebuffer: what a fragment finds, and what it leaves.
-#[derive(Clone, Copy)]
-struct Place {
-    depth_format: Option<Format>,
-    depth: f32,
-    stencil: u8,
-    color_format: Option<Format>,
-    color: [f32; 4],
-}
-
-impl Place {
-    fn at(planes: &[Plane], attached: Attached, pixel: usize) -> Self {
-        let depth = attached.depth.map(|plane| &planes[plane]);
-        let color = attached.color.map(|plane| &planes[plane]);
-        Self {
-            depth_format: depth.map(|plane| plane.format),
-            depth: depth.map_or(1.0, |plane| plane.depths[pixel]),
-            stencil: depth.map_or(0, |plane| plane.stencils[pixel]),
-            color_format: color.map(|plane| plane.format),
-            color: color.map_or([0.0; 4], |plane| plane.colors[pixel]),
-        }
-    }
-
-    /// Sends a fragment through the stages.
-    fn send(&mut self, state: &State, z: f32, source: [f32; 4]) -> Outcome {
-        let stencil_test = state
-            .stencil_test
-            .filter(|_| self.depth_format.is_some_and(Format::has_stencil));
-        let stencil = self.stencil;
-        let stencil_after = |op| match &stencil_test {
-            Some(test) => stages::stencil_op(op, test, state.stencil_mask, stencil),
-            None => stencil,
-        };
-        // Stencil test.
-        if stencil_test.is_some_and(|test| !stages::stencil_test(&test, stencil)) {
-            self.stencil = stencil_after(state.stencil_ops.sfail);
-            return Outcome::StencilFail;
-        }
-        // Depth test.
-        let depth_test = state.depth_test && self.depth_format.is_some();
-        let z = self
-            .depth_format
-            .map_or(z, |format| depth::stored(format, z));
-        if depth_test && !state.depth_func.holds(z, self.depth) {
-            self.stencil = stencil_after(state.stencil_ops.dpfail);
-            return Outcome::DepthFail;
-        }
-        self.stencil = stencil_after(state.stencil_ops.dppass);
-        // Writing. Without a depth test nothing is written to the depth buffer either.
-        if depth_test && state.depth_mask {
-            self.depth = z;
-        }
-        if let Some(format) = self.color_format {
-            let source = source.map(|channel| color::blended(format, channel));
-            let new = match &state.blend {
-                Some(blend) => stages::blend(blend, source, self.color),
-                None => source,
-            };
-            let new = new.map(|channel| color::stored(format, channel));
-            write_masked(&mut self.color, new, state.color_mask);
-        }
-        Outcome::Pass
-    }
-
-    fn write(self, planes: &mut [Plane], attached: Attached, pixel: usize) {
-        if let Some(plane) = attached.depth {
-            planes[plane].depths[pixel] = self.depth;
-            planes[plane].stencils[pixel] = self.stencil;
-        }
-        if let Some(plane) = attached.color {
-            planes[plane].colors[pixel] = self.color;
-        }
-    }
-}
 
 impl Machine for Emulator {
     fn perform(&mut self, call: &Call) -> Result<()> {

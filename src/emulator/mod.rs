@@ -1,6 +1,6 @@
 //! The emulated pixel: GL's operations on fragments, one function a stage, run step by step.
 //!
-//! It runs the same [steps](crate::steps) as the GL machine, on pixels whose fragments are given as lists, and can
+//! It runs the same [steps](mod@crate::steps) as the GL machine, on pixels whose fragments are given as lists, and can
 //! write down what became of every fragment of one of them: a table that a student can follow ([`Record`]). Algorithms
 //! in [pseudocode](crate::steps::pseudo) run on the same lists ([`run_algorithm`]).
 //!
@@ -16,6 +16,7 @@
 mod color;
 mod depth;
 mod machine;
+mod place;
 mod pseudo;
 mod record;
 mod shaders;

@@ -11,13 +11,17 @@
 //!
 //! The paper prints the passes ([`super::passes`]) and describes in prose the ranges that a fragment shader clips to,
 //! the compositing passes 5 and 6, the maps, and the end of the loop. The prose is written out here as it stands; where
-//! it is wrong or silent, [`AMENDMENTS`] say what it takes. Keys X1 to X28 number what was found when it was executed.
+//! it is wrong or silent, [`AMENDMENTS`] say what it takes; what the paper only points at stands beside them.
+
+mod amendments;
+
+pub use amendments::*;
 
 use super::passes::{PASS_1, PASS_2, PASS_3, PASS_4, SECTION_6};
 use super::*;
 use crate::error::Result;
 use crate::papers::vtk::{ACCUMULATED, ACCUMULATION, OPAQUE_DEPTH, OPAQUE_FIRST};
-use crate::steps::{Amendment, Call, Format, Machine, Variables, Workspace, run};
+use crate::steps::{Call, Format, Machine, Variables, Workspace, run};
 
 /// Section 5: six geometry passes an iteration.
 pub const VARIANT_A: Listing = Listing {
@@ -241,208 +245,6 @@ pub const UPDATE_D_SC: Listing = Listing {
         glUseProgram(NEXT_BOUND);
         drawScreen();
     },
-};
-
-/// Everything that makes the text right, in the paper's order.
-pub const AMENDMENTS: [Amendment; 10] = [
-    CLEAN_STATE,
-    CLEAN_STATE_B,
-    FIRST_CLOSED,
-    FIRST_CLOSED_B,
-    PASS_2_OPEN,
-    MOVE_DEPTH,
-    RUN_HALF_OPEN,
-    COMPOSITE_HALF_OPEN,
-    NO_TESTS,
-    BEFORE_OPAQUE,
-];
-
-/// One framebuffer holds the passes' depths and the image, and the passes clear the color.
-pub const CLEAN_STATE: Amendment = Amendment {
-    key: "X13",
-    place: "section 5.1, before pass 1; section 6, before pass 3",
-    printed: steps! { glBindFramebuffer(PEEL); },
-    amended: steps! {
-        glBindFramebuffer(PEEL);
-        glDisable(BLEND);
-        glColorMask(false, false, false, false);
-    },
-    why: "the white clears of passes 2 and 4 would erase what has been composited",
-    test: "x13_white_clears_erase_the_image",
-};
-
-/// The same for section 6's pass, whose color is the depth map.
-pub const CLEAN_STATE_B: Amendment = Amendment {
-    key: "X12",
-    place: "section 6, before the pass",
-    printed: steps! { glBindFramebuffer(PREVIOUS); },
-    amended: steps! {
-        glBindFramebuffer(PREVIOUS);
-        glDisable(STENCIL_TEST);
-        glColorMask(true, true, true, true);
-    },
-    why: "the stencil test of the iteration before must not meet this pass",
-    test: "x12_state_left_behind_loses_surfaces",
-};
-
-/// "(D(sc), ..." leaves out what lies on the near plane.
-pub const FIRST_CLOSED: Amendment = Amendment {
-    key: "X9",
-    place: "section 5.1, initial D(sc), pass 1",
-    printed: steps! { glUseProgram(OPEN_OPEN); },
-    amended: steps! {
-        if (i == 0) {
-            glUseProgram(CLOSED_OPEN);
-        } else {
-            glUseProgram(OPEN_OPEN);
-        }
-    },
-    why: "the first range begins at the near plane, what lies on it included",
-    test: "x9_surfaces_on_the_near_plane_are_lost",
-};
-
-/// The same in variant B.
-pub const FIRST_CLOSED_B: Amendment = Amendment {
-    key: "X9",
-    place: "section 6, initial D(sc)",
-    printed: steps! { glUseProgram(PREVIOUS_DEPTH); },
-    amended: steps! {
-        if (i == 0) {
-            glUseProgram(PREVIOUS_DEPTH_FROM_NEAR);
-        } else {
-            glUseProgram(PREVIOUS_DEPTH);
-        }
-    },
-    why: "the first range begins at the near plane, what lies on it included",
-    test: "x9_surfaces_on_the_near_plane_are_lost",
-};
-
-/// Pass 2 counts back what pass 1 has counted, so both must see the same surfaces.
-pub const PASS_2_OPEN: Amendment = Amendment {
-    key: "X11",
-    place: "section 5.1, pass 2, the range",
-    printed: steps! { glUseProgram(OPEN_CLOSED); },
-    amended: FIRST_CLOSED.amended,
-    why: "pass 2 sees the surfaces that pass 1 has counted, and no others",
-    test: "x11_a_closed_range_in_pass_2_only_costs_iterations",
-};
-
-/// "A blend method that multiplies the source color by the destination alpha": the printed factors multiply the
-/// destination color by it.
-pub const MOVE_DEPTH: Amendment = Amendment {
-    key: "X16",
-    place: "section 6, the blend function",
-    printed: steps! { glBlendFuncSeparate(ZERO, DEST_ALPHA, ONE, ZERO); },
-    amended: steps! { glBlendFuncSeparate(DEST_ALPHA, ZERO, ONE, ZERO); },
-    why: "source color times destination alpha, as the text says",
-    test: "x16_the_printed_blend_factors_multiply_all_earlier_depths",
-};
-
-/// Closed above, passes 3 and 4 meet the surface at `z_min_prev` again, which always breaks the run.
-pub const RUN_HALF_OPEN: Amendment = Amendment {
-    key: "X4",
-    place: "section 5.1, the range of passes 3 and 4",
-    printed: steps! { run RANGE_3; },
-    amended: steps! { run RANGE_3 amended by &[HALF_OPEN]; },
-    why: "the surface at z_min_prev has been found already, and would break the run",
-    test: "x4_a_closed_range_in_passes_3_and_4_costs_iterations",
-};
-
-/// Closed above, pass 5 composites what pass 6 composites.
-pub const COMPOSITE_HALF_OPEN: Amendment = Amendment {
-    key: "X5",
-    place: "section 5.2, pass 5, the range",
-    printed: steps! { run RANGE_5; },
-    amended: steps! { run RANGE_5 amended by &[HALF_OPEN]; },
-    why: "pass 6 composites the upper bound",
-    test: "x5_a_closed_range_in_pass_5_composites_the_bound_twice",
-};
-
-/// The text does not say that the tests of pass 4 end before pass 5.
-pub const NO_TESTS: Amendment = Amendment {
-    key: "X12",
-    place: "section 5.2, before pass 5",
-    printed: steps! { run PASS_5; },
-    amended: steps! {
-        glDisable(STENCIL_TEST);
-        glDisable(DEPTH_TEST);
-        glColorMask(true, true, true, true);
-        run PASS_5;
-    },
-    why: "pass 4's stencil and depth tests take no part in compositing",
-    test: "x12_state_left_behind_loses_surfaces",
-};
-
-/// [lower, upper] becomes [lower, upper).
-pub const HALF_OPEN: Amendment = Amendment {
-    key: "X3",
-    place: "section 5, the ends of the ranges",
-    printed: steps! { glUseProgram(CLOSED_CLOSED); },
-    amended: steps! { glUseProgram(CLOSED_OPEN); },
-    why: "half open",
-    test: "x4_a_closed_range_in_passes_3_and_4_costs_iterations",
-};
-
-/// Where the bound is the opaque depth, pass 6 would composite what lies exactly on the opaque surface, every time.
-pub const BEFORE_OPAQUE: Amendment = Amendment {
-    key: "X8",
-    place: "section 5.2, pass 6",
-    printed: steps! { glUseProgram(AT_BOUND_AS_PRINTED); },
-    amended: steps! { glUseProgram(AT_BOUND); },
-    why: "what lies on the opaque surface is hidden, and must not keep the loop going",
-    test: "x8_surfaces_on_the_opaque_surface_are_composited_for_ever",
-};
-
-/// An improvement: surfaces of equal depth do not break a run, as in Algorithm 2.
-pub const TIE_FRIENDLY: Amendment = Amendment {
-    key: "GEQUAL",
-    place: "section 5.1, pass 3",
-    printed: steps! { glDepthFunc(GREATER); },
-    amended: steps! { glDepthFunc(GEQUAL); },
-    why: "equal depths are in order",
-    test: "tie_friendly_pass_3_peels_sorted_pairs_at_once",
-};
-
-/// An improvement: pass 1 finds nothing where nothing is left, five passes before the compositing phase says so.
-pub const STOP_ON_PASS_1: Amendment = Amendment {
-    key: "early stop",
-    place: "section 5.2, the end of the loop",
-    printed: steps! { run PASS_1; },
-    amended: steps! {
-        glBeginQuery(CANDIDATES);
-        run PASS_1;
-        glEndQuery(CANDIDATES);
-        candidates = samples(CANDIDATES);
-        stop if (candidates == 0) because EmptyLayer;
-    },
-    why: "pass 1 already knows that nothing is left",
-    test: "a_query_on_pass_1_ends_a_sorted_scene_after_seven_passes",
-};
-
-/// The same in variant B.
-pub const STOP_ON_SECTION_6: Amendment = Amendment {
-    key: "early stop",
-    place: "section 5.2, the end of the loop",
-    printed: steps! { run SECTION_6; },
-    amended: steps! {
-        glBeginQuery(CANDIDATES);
-        run SECTION_6 amended by &[MOVE_DEPTH];
-        glEndQuery(CANDIDATES);
-        candidates = samples(CANDIDATES);
-        stop if (candidates == 0) because EmptyLayer;
-    },
-    why: "the first pass already knows that nothing is left",
-    test: "a_query_on_pass_1_ends_a_sorted_scene_after_seven_passes",
-};
-
-/// An improvement (section 9): the range ends at a batch's end, where that lies before the opaque depth.
-pub const UP_TO_THE_BATCH_END: Amendment = Amendment {
-    key: "batches",
-    place: "section 9; section 5.1, the ranges",
-    printed: steps! { glBindTexture(OPAQUE_DEPTH); },
-    amended: steps! { glBindTexture(BATCH_END); },
-    why: "a batch is peeled up to its own end",
-    test: "batches_give_the_same_image_in_fewer_iterations_each",
 };
 
 /// The opaque depth, or a batch's end where that is nearer.
