@@ -3,7 +3,7 @@
 mod cli_kit;
 use cli_kit::Desk;
 
-const SCENE: &str = "examples/scenes/knots.toml";
+const SCENE: &str = "examples/scenes/teapot.toml";
 
 fn record(arguments: &[&str]) -> serde_json::Map<String, serde_json::Value> {
     let desk = Desk::new();
