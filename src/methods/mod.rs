@@ -1,8 +1,10 @@
 //! The methods: one file each, which reads like its paper, and the renderer that runs them.
 
+mod a_buffer;
 mod batches;
 mod blend;
 mod coherent_layer_peeling;
+mod complexity;
 mod depth_peeling;
 mod exact;
 mod hybrid_layer_peeling;
@@ -16,7 +18,12 @@ mod renderer;
 mod sorting;
 mod stats;
 
+pub use a_buffer::{
+    ABufferCounts, ABufferOptions, Band, Fill, LARGEST_NETWORK, Manager, RecordColor, Room, Sort,
+    bands,
+};
 pub use coherent_layer_peeling::{CoherentOptions, Variant};
+pub use complexity::{Bin, Complexity, CountBy};
 pub use depth_peeling::{Compositing, DepthPeelingOptions};
 pub use ideal_coherent_layer_peeling::IdealOptions;
 pub use layer_peeling::LayerPeelingOptions;
@@ -38,6 +45,11 @@ trait Algorithm {
 
     /// Draws one frame. The machine is in GL's initial state, but for the clear colour, which is the background's.
     fn draw(&mut self, machine: &mut GlMachine<'_>, scene: &Scene) -> Result<Drawn>;
+
+    /// Counts what the last frame did, where that takes time that is not the frame's.
+    fn account(&mut self, _: &mut GlMachine<'_>, _: &mut Drawn) -> Result<()> {
+        Ok(())
+    }
 }
 
 /// What a method has done in a frame.
@@ -53,6 +65,8 @@ struct Drawn {
     stopped: Option<Reason>,
     /// Whether depth peeling was used.
     peeling: Peeling,
+    /// What its lists have cost, if it has any.
+    a_buffer: Option<ABufferCounts>,
     /// The image, if it is not in the map `image`.
     image: Option<Image>,
 }

@@ -3,6 +3,7 @@
 pub mod carr_2008;
 pub mod everitt_2001;
 mod index;
+pub mod lindholm_2015;
 pub mod vtk;
 
 pub use index::{Paper, papers};

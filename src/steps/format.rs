@@ -11,6 +11,10 @@ pub enum Format {
     Rgba32F,
     /// One 32-bit float.
     R32F,
+    /// One 32-bit whole number.
+    R32Ui,
+    /// Four 32-bit whole numbers.
+    Rgba32Ui,
     /// 32-bit float depth with 8 bits of stencil.
     Depth32FStencil8,
     /// 24-bit fixed-point depth with 8 bits of stencil. Sampled on llvmpipe it is not what was stored.
@@ -24,9 +28,9 @@ impl Format {
     pub const fn bytes(self) -> u64 {
         match self {
             Self::Depth16 => 2,
-            Self::Rgba8 | Self::R32F | Self::Depth24Stencil8 => 4,
+            Self::Rgba8 | Self::R32F | Self::R32Ui | Self::Depth24Stencil8 => 4,
             Self::Rgba16F | Self::Depth32FStencil8 => 8,
-            Self::Rgba32F => 16,
+            Self::Rgba32F | Self::Rgba32Ui => 16,
         }
     }
 

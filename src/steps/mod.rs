@@ -38,7 +38,7 @@ mod walk;
 pub use amend::Amendment;
 pub use call::{
     BlendFactor, Buffers, Call, Capability, Compare, Index, Map, Objects, Query, Shader, StencilOp,
-    Target,
+    Storage, Target,
 };
 pub use depth_units::DepthUnits;
 pub use diff::diff;
