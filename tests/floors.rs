@@ -17,8 +17,9 @@ const FLOORS: [(&str, u32); 12] = [
     ("emulator", 4),
     ("gl", 4),
     ("methods", 5),
-    ("cli", 6),
-    ("main", 7),
+    ("report", 6),
+    ("cli", 7),
+    ("main", 8),
 ];
 
 #[test]

@@ -6,9 +6,10 @@ use onionskin::methods::{
 };
 use onionskin::{Error, Method, Result};
 
+use super::a_buffer_options::ABufferArguments;
+
 const PEELING: &str = "Options of depth-peeling";
-const PAPERS: &str =
-    "Options of depth-peeling, layer-peeling, hybrid-layer-peeling and the coherent methods";
+const PAPERS: &str = "Options of depth-peeling, layer-peeling, hybrid-layer-peeling, the coherent methods, A-buffers";
 const COHERENT: &str = "Options of the coherent methods";
 
 #[derive(Args)]
@@ -36,6 +37,8 @@ pub(super) struct MethodOptions {
     /// A and B; tight-bound for the ideal GPU
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = improvement, help_heading = COHERENT)]
     improve: Vec<Improvement>,
+    #[command(flatten)]
+    a_buffer: ABufferArguments,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -55,7 +58,15 @@ impl MethodOptions {
         let method: Method = self.method.parse()?;
         let peels = self.peels != 0 || self.occlusion_ratio != 0.0 || self.layers;
         let sorted = self.sort.is_some() || !self.improve.is_empty();
+        let lists = self.a_buffer.are_given();
         match method {
+            Method::ABuffer(options) if !peels && !sorted => {
+                self.a_buffer.method(options, self.as_printed)
+            }
+            _ if lists => Err(Error::usage(
+                format!("{method} has none of the options of A-buffers"),
+                "they are for ffb, dfb and ppll",
+            )),
             Method::DepthPeeling(_) if !sorted => self.depth_peeling(),
             Method::LayerPeeling(_) if !peels && !sorted => {
                 Ok(Method::LayerPeeling(self.layer_peeling()))
@@ -67,7 +78,7 @@ impl MethodOptions {
             Method::IdealCoherentLayerPeeling(options) if !peels => self.ideal(options),
             _ if peels || self.as_printed && !sorted => Err(Error::usage(
                 format!("{method} has no --peels, --occlusion-ratio, --layers or --as-printed"),
-                "they are for depth-peeling; the peeling methods of Carr et al. have --as-printed",
+                "they are for depth-peeling; the peeling methods of Carr et al. and A-buffers have --as-printed",
             )),
             _ if sorted => Err(Error::usage(
                 format!("{method} has no --sort or --improve"),

@@ -19,8 +19,8 @@ mod sorting;
 mod stats;
 
 pub use a_buffer::{
-    ABufferCounts, ABufferOptions, Band, Fill, LARGEST_NETWORK, Manager, RecordColor, Room, Sort,
-    bands,
+    ABufferCounts, ABufferOptions, Band, FEW, Fill, LARGEST_NETWORK, Manager, RecordColor, Room,
+    Sort, bands,
 };
 pub use coherent_layer_peeling::{CoherentOptions, Variant};
 pub use complexity::{Bin, Complexity, CountBy};

@@ -44,7 +44,7 @@ pub struct Entry {
     pub method: Method,
     /// Where it is published.
     pub source: &'static str,
-    /// Whether its image is exact when nothing stops it early.
+    /// Whether its image is exact when nothing stops it early, but for the rounding of the colours it keeps.
     pub exact: bool,
     /// What becomes of fragments of equal depth.
     pub ties: &'static str,

@@ -17,7 +17,7 @@ mod loops;
 mod options;
 
 pub use bands::{Band, Room, bands};
-pub use options::{ABufferOptions, Fill, LARGEST_NETWORK, Manager, RecordColor, Sort};
+pub use options::{ABufferOptions, FEW, Fill, LARGEST_NETWORK, Manager, RecordColor, Sort};
 
 use options::SMALLEST_SEGMENT;
 
@@ -215,8 +215,13 @@ impl ABuffer {
         }
         machine.bind_texels(3, paper::RECORDS)?;
         let renderer = &machine.context().driver().renderer;
-        let insertion = options.sort == Sort::Insertion
-            && (!options.pp_dp || loops::insertion_fits(renderer, band.layers));
+        let insertion = match options.sort {
+            Sort::Automatic => self.complexity.iter().all(|&count| count <= FEW),
+            Sort::Network => false,
+            Sort::Insertion => true,
+        };
+        let insertion =
+            insertion && (!options.pp_dp || loops::insertion_fits(renderer, band.layers));
         machine.set_constants(&self.constants(insertion));
         let mut fill = Vec::new();
         if self.ordered(machine) {

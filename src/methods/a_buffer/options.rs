@@ -17,13 +17,19 @@ pub enum Manager {
 /// How a Local Array is sorted. The result is the same.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Sort {
+    /// By insertion where no pixel has more than [`FEW`] fragments, otherwise by network.
+    #[default]
+    Automatic,
     /// Comparisons that are fixed beforehand, written out with constant indices: Batcher's network, and in ppDP an
     /// insertion that looks at every element. Arrays over [`LARGEST_NETWORK`] are sorted by insertion.
-    #[default]
     Network,
     /// Insertion sort, as the paper has it.
     Insertion,
 }
+
+/// So few fragments are sorted by insertion in less time than a network takes, whose size is the array's; and a network's
+/// shader takes a second or two to compile.
+pub const FEW: u32 = 16;
 
 /// The largest array that a network sorts; larger ones take the driver too long to compile.
 pub const LARGEST_NETWORK: u32 = 128;
@@ -88,7 +94,7 @@ impl ABufferOptions {
         pp_dp: false,
         array: 64,
         peel: 8,
-        sort: Sort::Network,
+        sort: Sort::Automatic,
         fill: Fill::Automatic,
         color: RecordColor::Half,
         termination: 0.0,
