@@ -385,7 +385,7 @@ mod tests {
     fn every_file_of_the_folder_is_embedded() {
         let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("glsl");
         let mut found = Vec::new();
-        for place in ["", "a_buffer/", "common/", "surface/"] {
+        for place in ["", "a_buffer/", "clip/", "common/", "ideal/", "surface/"] {
             for entry in std::fs::read_dir(folder.join(place)).unwrap() {
                 let entry = entry.unwrap();
                 if entry.file_type().unwrap().is_file() {
