@@ -8,6 +8,7 @@
 //!
 //! ```text
 //! 6  main.rs, cli/           one file per subcommand, thin
+//! 5  report/                 pictures, plots and tables of what was counted
 //! 4  methods/                one file per published method
 //! 3  gl/ | emulator/         two machines that run steps: OpenGL, with all unsafe code, and one emulated pixel
 //!    oracle                  sort and composite in f64; knows neither steps nor GL
@@ -25,6 +26,7 @@ pub mod image;
 pub mod methods;
 pub mod oracle;
 pub mod papers;
+pub mod report;
 pub mod scene;
 pub mod steps;
 

@@ -11,7 +11,15 @@ mod golden;
 use cli_kit::{Answer, Desk};
 use golden::assert_golden;
 
-const SUBCOMMANDS: [&str; 6] = ["render", "compare", "check", "listing", "methods", "doctor"];
+const SUBCOMMANDS: [&str; 7] = [
+    "render",
+    "compare",
+    "check",
+    "complexity",
+    "listing",
+    "methods",
+    "doctor",
+];
 
 fn result(arguments: &[&str]) -> String {
     Desk::new().result(arguments)

@@ -6,7 +6,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Every room with its floor.
-const FLOORS: [(&str, u32); 12] = [
+const FLOORS: [(&str, u32); 13] = [
     ("error", 0),
     ("fragment", 0),
     ("image", 1),
@@ -17,8 +17,9 @@ const FLOORS: [(&str, u32); 12] = [
     ("emulator", 4),
     ("gl", 4),
     ("methods", 5),
-    ("cli", 6),
-    ("main", 7),
+    ("report", 6),
+    ("cli", 7),
+    ("main", 8),
 ];
 
 #[test]

@@ -386,7 +386,12 @@ fn compare_as_json_prints_one_object_for_each_method() {
         }
         assert_eq!(object["method"], entry.name);
         let error = object["max_error"].as_f64().unwrap();
-        assert!(!entry.exact || error <= F32, "{answer}");
+        // Fragment lists keep colours in 16 bits: the bound of `gl_a_buffer.rs`.
+        let bound = match entry.method {
+            Method::ABuffer(_) => 1.5e-3,
+            _ => F32,
+        };
+        assert!(!entry.exact || error <= bound, "{answer}");
     }
     let by_name = |name| objects.iter().find(|object| object["method"] == name);
     let blend = &by_name("blend").unwrap()["max_error"];

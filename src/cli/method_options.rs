@@ -7,9 +7,10 @@ use onionskin::methods::{
 };
 use onionskin::{Error, Method, Result};
 
+use super::a_buffer_options::ABufferArguments;
+
 const PEELING: &str = "Options of depth-peeling";
-const PAPERS: &str =
-    "Options of depth-peeling, layer-peeling, hybrid-layer-peeling and the coherent methods";
+const PAPERS: &str = "Options of depth-peeling, layer-peeling, hybrid-layer-peeling, the coherent methods, A-buffers";
 const COHERENT: &str = "Options of the coherent methods";
 
 #[derive(Args)]
@@ -42,6 +43,8 @@ pub(super) struct MethodOptions {
     /// A and B; tight-bound for the ideal GPU
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = improvement, help_heading = COHERENT)]
     improve: Vec<Improvement>,
+    #[command(flatten)]
+    a_buffer: ABufferArguments,
 }
 
 #[derive(Clone, Copy, PartialEq, ValueEnum)]
@@ -82,7 +85,15 @@ impl MethodOptions {
         let kept = self.layers || self.depth_unit_0 != Unit0::Sampler;
         let peels = self.peels != 0 || self.occlusion_ratio != 0.0 || kept;
         let sorted = self.sort.is_some() || !self.improve.is_empty();
+        let lists = self.a_buffer.are_given();
         match method {
+            Method::ABuffer(options) if !peels && !sorted => {
+                self.a_buffer.method(options, self.as_printed)
+            }
+            _ if lists => Err(Error::usage(
+                format!("{method} has none of the options of A-buffers"),
+                "they are for ffb, dfb and ppll",
+            )),
             Method::DepthPeeling(_) if !sorted => self.depth_peeling(),
             Method::DualDepthPeeling(_) if !kept && !sorted && !self.as_printed => self.dual(),
             Method::CoplanarDepthPeeling(_)
@@ -114,7 +125,7 @@ impl MethodOptions {
                 format!(
                     "{method} has no --peels, --occlusion-ratio, --layers, --depth-unit-0 or --as-printed"
                 ),
-                "they are for depth-peeling; the peeling methods of Carr et al. have --as-printed",
+                "they are for depth-peeling; the peeling methods of Carr et al. and A-buffers have --as-printed",
             )),
             _ if sorted => Err(Error::usage(
                 format!("{method} has no --sort or --improve"),

@@ -1,7 +1,9 @@
 //! One file a subcommand; here is what they share.
 
+mod a_buffer_options;
 mod check;
 mod compare;
+mod complexity;
 mod doctor;
 mod listing;
 mod method_options;
@@ -18,8 +20,8 @@ use clap::{Parser, Subcommand};
 
 /// Correct transparency as it was published, run headless.
 ///
-/// Renders scenes of transparent surfaces by the methods of Everitt 2001 and VTK, holds them against an exact image,
-/// and prints the listings it runs. Needs OpenGL 4.3, but neither display nor GPU: Mesa's software renderer will do.
+/// Renders scenes of transparent surfaces by the methods of four publications, holds them against an exact image, counts
+/// their layers, and prints the listings it runs. Needs OpenGL 4.3, but neither display nor GPU: Mesa's software renderer will do.
 #[derive(Parser)]
 #[command(version, after_help = EXAMPLES)]
 struct Cli {
@@ -33,6 +35,7 @@ Examples:
   onionskin render model.obj -o model.png              the exact image of a model
   onionskin compare examples/scenes/teapot.toml        which method is how wrong, and how slow
   onionskin check examples/scenes/teapot.toml my.png   is my renderer's image right?
+  onionskin complexity examples/scenes/teapot.toml     how many layers each pixel has
   onionskin listing everitt/listing-1                  what depth peeling does, as the paper has it
 
 `onionskin COMMAND --help` explains the arguments, `onionskin render --help` also scene files.
@@ -44,6 +47,7 @@ enum Command {
     Render(render::Render),
     Compare(compare::Compare),
     Check(check::Check),
+    Complexity(complexity::Complexities),
     Listing(listing::Listing),
     Methods(methods::Methods),
     Doctor(doctor::Doctor),
@@ -56,6 +60,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Render(render) => render.run(),
         Command::Compare(compare) => compare.run(),
         Command::Check(check) => check.run(),
+        Command::Complexity(complexity) => complexity.run(),
         Command::Listing(listing) => listing.run(),
         Command::Methods(methods) => methods.run(),
         Command::Doctor(doctor) => doctor.run(),

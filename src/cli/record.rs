@@ -1,7 +1,7 @@
 //! What `render --json` and `compare --json` say of a frame.
 
 use onionskin::image::Comparison;
-use onionskin::methods::Stats;
+use onionskin::methods::{ABufferCounts, Stats};
 use serde::Serialize;
 
 /// One result. The names are part of the command line's face.
@@ -17,9 +17,39 @@ pub(super) struct Record<'a> {
     stopped: String,
     depth_peeling: String,
     bytes: u64,
+    #[serde(flatten)]
+    a_buffer: Option<Lists>,
     ms: f64,
     max_error: f64,
     rms_error: f64,
+}
+
+/// What only an A-buffer has.
+#[derive(Serialize)]
+struct Lists {
+    bands: u32,
+    list_bytes: u64,
+    records_read: u64,
+    subpasses: u64,
+    most_subpasses: u32,
+    array_slots_reserved: u64,
+    array_slots_used: u64,
+    truncated_pixels: u64,
+}
+
+impl Lists {
+    fn new(counts: &ABufferCounts) -> Self {
+        Self {
+            bands: counts.bands,
+            list_bytes: counts.list_bytes,
+            records_read: counts.records_read,
+            subpasses: counts.subpasses,
+            most_subpasses: counts.most_subpasses,
+            array_slots_reserved: counts.slots_reserved,
+            array_slots_used: counts.slots_used,
+            truncated_pixels: counts.truncated_pixels,
+        }
+    }
 }
 
 impl<'a> Record<'a> {
@@ -35,6 +65,7 @@ impl<'a> Record<'a> {
             stopped: stats.stopped_text(),
             depth_peeling: stats.peeling.to_string(),
             bytes: stats.bytes,
+            a_buffer: stats.a_buffer.as_ref().map(Lists::new),
             ms: stats.ms,
             max_error: error.max,
             rms_error: error.rms,

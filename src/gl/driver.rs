@@ -53,7 +53,8 @@ pub const WANTED_EXTENSIONS: [(&str, &str); 4] = [
     ("GL_ARB_fragment_shader_interlock", "the same with images"),
 ];
 
-const LIMITS: [(&str, u32); 8] = [
+const LIMITS: [(&str, u32); 9] = [
+    ("GL_MAX_TEXTURE_BUFFER_SIZE", glow::MAX_TEXTURE_BUFFER_SIZE),
     ("GL_MAX_TEXTURE_SIZE", glow::MAX_TEXTURE_SIZE),
     ("GL_MAX_RENDERBUFFER_SIZE", glow::MAX_RENDERBUFFER_SIZE),
     (

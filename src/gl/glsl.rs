@@ -3,10 +3,94 @@
 //! An include is replaced by the file, between `#line` directives that give every file a number of its own; the driver
 //! puts that number before each message, and [`Source::explain`] puts the file's name in its place.
 
+use super::network;
 use crate::error::{Error, Result};
+
+/// Not a file: the comparators that sort as many elements as the constant N says, if they are not too many.
+const NETWORK: &str = "a_buffer/network";
+/// Likewise: as many elements, one after the other.
+const ELEMENTS: &str = "a_buffer/elements";
+/// Larger networks take drivers too long to compile; nothing includes them.
+const LARGEST_NETWORK: u32 = 128;
 
 /// The files of `glsl/`, embedded.
 const FILES: &[(&str, &str)] = &[
+    (
+        "a_buffer/band.glsl",
+        include_str!("../../glsl/a_buffer/band.glsl"),
+    ),
+    (
+        "a_buffer/count.frag",
+        include_str!("../../glsl/a_buffer/count.frag"),
+    ),
+    (
+        "a_buffer/fill.frag",
+        include_str!("../../glsl/a_buffer/fill.frag"),
+    ),
+    (
+        "a_buffer/fill_ordered.frag",
+        include_str!("../../glsl/a_buffer/fill_ordered.frag"),
+    ),
+    (
+        "a_buffer/list.glsl",
+        include_str!("../../glsl/a_buffer/list.glsl"),
+    ),
+    (
+        "a_buffer/local_array.glsl",
+        include_str!("../../glsl/a_buffer/local_array.glsl"),
+    ),
+    (
+        "a_buffer/one.frag",
+        include_str!("../../glsl/a_buffer/one.frag"),
+    ),
+    (
+        "a_buffer/pixel.glsl",
+        include_str!("../../glsl/a_buffer/pixel.glsl"),
+    ),
+    (
+        "a_buffer/place.glsl",
+        include_str!("../../glsl/a_buffer/place.glsl"),
+    ),
+    (
+        "a_buffer/pp_dp.glsl",
+        include_str!("../../glsl/a_buffer/pp_dp.glsl"),
+    ),
+    (
+        "a_buffer/ray.glsl",
+        include_str!("../../glsl/a_buffer/ray.glsl"),
+    ),
+    (
+        "a_buffer/record.glsl",
+        include_str!("../../glsl/a_buffer/record.glsl"),
+    ),
+    (
+        "a_buffer/resolve.frag",
+        include_str!("../../glsl/a_buffer/resolve.frag"),
+    ),
+    (
+        "a_buffer/resolve_pixel.glsl",
+        include_str!("../../glsl/a_buffer/resolve_pixel.glsl"),
+    ),
+    (
+        "a_buffer/resolve_segment.frag",
+        include_str!("../../glsl/a_buffer/resolve_segment.frag"),
+    ),
+    (
+        "a_buffer/scan_gather.comp",
+        include_str!("../../glsl/a_buffer/scan_gather.comp"),
+    ),
+    (
+        "a_buffer/scan_reduce.comp",
+        include_str!("../../glsl/a_buffer/scan_reduce.comp"),
+    ),
+    (
+        "a_buffer/scan_spread.comp",
+        include_str!("../../glsl/a_buffer/scan_spread.comp"),
+    ),
+    (
+        "a_buffer/static.glsl",
+        include_str!("../../glsl/a_buffer/static.glsl"),
+    ),
     ("capture.frag", include_str!("../../glsl/capture.frag")),
     (
         "clip/at_bound.frag",
@@ -188,14 +272,34 @@ pub(super) struct Source {
 }
 
 impl Source {
-    /// A file of `glsl/` by its name.
-    pub(super) fn load(name: &str) -> Result<Self> {
-        Self::resolve(name, &|file| {
-            FILES
+    /// A file of `glsl/` by its name, with constants as `#define`s after its first line, which is its `#version`. The
+    /// constant N makes the include `a_buffer/network`: the network that sorts N elements.
+    pub(super) fn load_with(name: &str, constants: &[(&'static str, u32)]) -> Result<Self> {
+        let size = constants.iter().find(|(name, _)| *name == "N");
+        let network = match size {
+            Some(&(_, n)) if n.is_power_of_two() && n <= LARGEST_NETWORK => {
+                network::glsl(n as usize)
+            }
+            _ => String::new(),
+        };
+        let elements = size.map_or_else(String::new, |&(_, n)| network::elements(n as usize));
+        let mut source = Self::resolve(name, &|file| match file {
+            NETWORK => Some(network.as_str()),
+            ELEMENTS => Some(elements.as_str()),
+            _ => FILES
                 .iter()
                 .find(|(n, _)| *n == file)
-                .map(|(_, text)| *text)
-        })
+                .map(|(_, text)| *text),
+        })?;
+        if let (false, Some((version, rest))) = (constants.is_empty(), source.text.split_once('\n'))
+        {
+            let defines: String = constants
+                .iter()
+                .map(|(name, value)| format!("#define {name} {value}\n"))
+                .collect();
+            source.text = format!("{version}\n{defines}#line 2 0\n{rest}");
+        }
+        Ok(source)
     }
 
     fn resolve<'a>(name: &str, find: &dyn Fn(&str) -> Option<&'a str>) -> Result<Self> {

@@ -7,9 +7,10 @@ use glow::HasContext;
 use super::constants::{blend_factor, capability, clear_bits, compare, error_name, stencil_op};
 use super::geometry::Geometry;
 use super::machine::{GlMachine, depth_attachment};
-use super::program::Linked;
+use super::program::{Linked, ProgramKey};
+use super::texture::internal;
 use crate::error::{Error, Result};
-use crate::steps::{Call, Machine, Map, Objects, Query, Shader};
+use crate::steps::{Call, Index, Machine, Map, Objects, Query, Shader};
 
 impl Machine for GlMachine<'_> {
     /// In debug builds the step's text names a debug group around it, and OpenGL's errors are asked for after it.
@@ -52,16 +53,18 @@ impl Machine for GlMachine<'_> {
 }
 
 impl GlMachine<'_> {
-    fn use_program(&mut self, shader: Shader) -> Result<()> {
+    fn use_program(&mut self, shader: Shader, size: Option<(&'static str, u32)>) -> Result<()> {
         let gl = self.context.glow();
-        if let Entry::Vacant(place) = self.programs.entry(shader) {
-            place.insert(Linked::new(gl, shader)?);
+        let key = ProgramKey::new(shader, &self.constants, size);
+        if let Entry::Vacant(place) = self.programs.entry(key.clone()) {
+            let linked = Linked::new(gl, place.key())?;
+            place.insert(linked);
         }
-        if let Linked::Screen(program) = &self.programs[&shader] {
+        if let Linked::Screen(program) = &self.programs[&key] {
             // SAFETY: the program is linked.
             unsafe { gl.use_program(Some(program.raw)) };
         }
-        self.current = Some(shader);
+        self.current = Some(key);
         Ok(())
     }
 
@@ -116,7 +119,7 @@ impl GlMachine<'_> {
 
     fn set_uniform(&self, name: &str, value: f32) {
         let gl = self.context.glow();
-        let linked = self.current.and_then(|shader| self.programs.get(&shader));
+        let linked = self.current.as_ref().and_then(|key| self.programs.get(key));
         for program in linked.into_iter().flat_map(Linked::programs) {
             // SAFETY: the program is linked; GL ignores a uniform that it does not have.
             unsafe {
@@ -134,7 +137,8 @@ impl GlMachine<'_> {
     fn draw(&mut self, objects: Objects) -> Result<()> {
         if self
             .current
-            .is_some_and(|Shader(name)| name.starts_with("classic/"))
+            .as_ref()
+            .is_some_and(|key| key.shader.0.starts_with("classic/"))
         {
             self.set_classic_uniforms()?;
         }
@@ -146,25 +150,32 @@ impl GlMachine<'_> {
         };
         let program = self
             .current
-            .and_then(|shader| self.programs.get(&shader))
+            .as_ref()
+            .and_then(|key| self.programs.get(key))
             .ok_or_else(no_program)?;
         match (program, objects) {
             (Linked::Screen(_), Objects::Screen) => {
                 let gl = self.context.glow();
                 // What is drawn over the screen works on layers of transparent surfaces, so it need not reach further
                 // than they do.
-                let [x, y, width, height] = self
+                let [x, mut y, width, mut height] = self
                     .geometry
                     .as_ref()
                     .map_or(self.whole(), Geometry::window);
+                if let Some([first, rows]) = self.band {
+                    let (low, high) = (first as i32, (first + rows) as i32);
+                    let top = (y + height).clamp(low, high);
+                    y = y.clamp(low, high);
+                    height = top - y;
+                }
                 // SAFETY: the program is current and reads no attributes, and the array has none.
                 unsafe {
                     gl.enable(glow::SCISSOR_TEST);
                     gl.scissor(x, y, width, height);
                     gl.bind_vertex_array(Some(self.no_attributes));
                     gl.draw_arrays(glow::TRIANGLES, 0, 3);
-                    gl.disable(glow::SCISSOR_TEST);
                 }
+                self.scissor_to_band();
             }
             (
                 Linked::Surface { unlit, lit },
@@ -275,7 +286,38 @@ impl GlMachine<'_> {
                     let func = compare(func) as i32;
                     gl.sampler_parameter_i32(self.shadow_sampler, glow::TEXTURE_COMPARE_FUNC, func);
                 }
-                Call::UseProgram { program } => self.use_program(program)?,
+                Call::UseProgram { program } => self.use_program(program, None)?,
+                Call::UseProgramOfSize { program, size } => {
+                    self.use_program(program, Some(("N", number(size))))?;
+                }
+                Call::StencilReference {
+                    func,
+                    reference,
+                    mask,
+                } => {
+                    gl.stencil_func(compare(func), number(reference) as i32, mask);
+                }
+                Call::ClearIntegers { drawbuffer } => {
+                    gl.clear_buffer_u32_slice(glow::COLOR, drawbuffer, &[0; 4]);
+                }
+                Call::BindImage { unit, texture } => {
+                    let texture = self.texture(texture)?;
+                    let format = internal(texture.format);
+                    gl.bind_image_texture(
+                        unit,
+                        Some(texture.raw),
+                        0,
+                        false,
+                        0,
+                        glow::READ_WRITE,
+                        format,
+                    );
+                }
+                Call::BindStorage { index, buffer } => {
+                    let raw = Some(self.storage(buffer)?.raw);
+                    gl.bind_buffer_base(glow::SHADER_STORAGE_BUFFER, index, raw);
+                }
+                Call::MemoryBarrier => gl.memory_barrier(glow::ALL_BARRIER_BITS),
                 Call::BindFramebuffer { framebuffer } => self.bind_framebuffer(framebuffer)?,
                 Call::AttachColor { texture } => {
                     let raw = Some(self.texture(texture)?.raw);
@@ -311,5 +353,13 @@ impl GlMachine<'_> {
             }
         }
         Ok(())
+    }
+}
+
+/// A number that the walk has resolved.
+fn number(index: Index) -> u32 {
+    match index {
+        Index::Number(number) => number,
+        Index::Only | Index::Variable(_) => 1,
     }
 }

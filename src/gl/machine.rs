@@ -7,10 +7,12 @@ use glow::HasContext;
 use super::classic::Classic;
 use super::context::Context;
 use super::geometry::Geometry;
-use super::program::Linked;
+use super::program::{Linked, ProgramKey};
+use super::scan::ScanPrograms;
+use super::storage::StorageBuffer;
 use super::texture::Texture;
 use crate::error::{Error, Result};
-use crate::steps::{Format, Map, Query, Shader, Target, Workspace};
+use crate::steps::{Format, Map, Query, Storage, Target, Workspace};
 
 /// Runs listings on OpenGL.
 ///
@@ -22,7 +24,10 @@ pub struct GlMachine<'c> {
     pub(super) size: [u32; 2],
     pub(super) textures: HashMap<Map, Texture>,
     pub(super) framebuffers: HashMap<Target, glow::Framebuffer>,
-    pub(super) programs: HashMap<Shader, Linked>,
+    pub(super) storages: HashMap<Storage, StorageBuffer>,
+    pub(super) programs: HashMap<ProgramKey, Linked>,
+    /// What the programs of an A-buffer are compiled with.
+    pub(super) constants: Vec<(&'static str, u32)>,
     pub(super) queries: HashMap<Query, glow::Query>,
     /// With compare mode, of texture unit 0.
     pub(super) shadow_sampler: glow::Sampler,
@@ -31,7 +36,11 @@ pub struct GlMachine<'c> {
     /// Draws without attributes need an array of none.
     pub(super) no_attributes: glow::VertexArray,
     pub(super) geometry: Option<Geometry<'c>>,
-    pub(super) current: Option<Shader>,
+    /// Linked when a scan is first asked for.
+    pub(super) scan: Option<ScanPrograms>,
+    pub(super) current: Option<ProgramKey>,
+    /// First row and number of rows that are drawn to, if not all.
+    pub(super) band: Option<[u32; 2]>,
     pub(super) counts: Counts,
     /// What classic calls have set and made.
     pub(super) classic: Classic,
@@ -87,13 +96,17 @@ impl<'c> GlMachine<'c> {
             size: [width, height],
             textures: HashMap::new(),
             framebuffers: HashMap::new(),
+            storages: HashMap::new(),
             programs: HashMap::new(),
+            constants: Vec::new(),
             queries: HashMap::new(),
             shadow_sampler,
             plain_sampler,
             no_attributes,
             geometry: None,
+            scan: None,
             current: None,
+            band: None,
             counts: Counts::default(),
             classic: Classic::default(),
         })
@@ -151,14 +164,47 @@ impl<'c> GlMachine<'c> {
                 gl.bind_sampler(unit, Some(sampler));
             }
         }
+        self.band = None;
         self.counts.geometry_passes = 0;
         self.classic.state = None;
+    }
+
+    /// What the programs whose names begin with `a_buffer/` are compiled with from now on: names and values that their
+    /// source sees as `#define`s.
+    pub fn set_constants(&mut self, constants: &[(&'static str, u32)]) {
+        self.constants = constants.to_vec();
+    }
+
+    /// Draws and clears only so many rows from `first` on, counted from the bottom; every row if none is said.
+    pub fn set_band(&mut self, band: Option<[u32; 2]>) {
+        self.band = band;
+        self.scissor_to_band();
+    }
+
+    /// The scissor that the band is made with; none for the whole image.
+    pub(super) fn scissor_to_band(&self) {
+        let gl = self.context.glow();
+        // SAFETY: the context is current.
+        unsafe {
+            match self.band {
+                Some([first, rows]) => {
+                    gl.enable(glow::SCISSOR_TEST);
+                    gl.scissor(0, first as i32, self.size[0] as i32, rows as i32);
+                }
+                None => gl.disable(glow::SCISSOR_TEST),
+            }
+        }
     }
 
     /// What was done since the frame began.
     pub fn counts(&self) -> Counts {
         Counts {
-            bytes: self.textures.values().map(Texture::bytes).sum(),
+            bytes: self.textures.values().map(Texture::bytes).sum::<u64>()
+                + self
+                    .storages
+                    .values()
+                    .map(StorageBuffer::bytes)
+                    .sum::<u64>(),
             ..self.counts
         }
     }
@@ -193,7 +239,7 @@ impl<'c> GlMachine<'c> {
         }
     }
 
-    /// Lets go of every map and framebuffer.
+    /// Lets go of every map, buffer and framebuffer.
     pub fn free_every_map(&mut self) {
         let gl = self.context.glow();
         // SAFETY: the objects are the machine's own and leave its tables here.
@@ -201,6 +247,9 @@ impl<'c> GlMachine<'c> {
             self.framebuffers
                 .drain()
                 .for_each(|(_, framebuffer)| gl.delete_framebuffer(framebuffer));
+            self.storages
+                .drain()
+                .for_each(|(_, storage)| storage.delete(gl));
             self.textures
                 .drain()
                 .for_each(|(_, texture)| gl.delete_texture(texture.raw));
@@ -316,6 +365,23 @@ impl<'c> GlMachine<'c> {
         Ok(self.texture(map)?.read_stencils(self.context.glow()))
     }
 
+    /// An integer map's texels, four numbers each, bottom row first; channels that it does not have are 0, or 1 for the
+    /// last.
+    ///
+    /// # Errors
+    /// If there is no such map.
+    pub fn read_integers(&self, map: Map) -> Result<Vec<[u32; 4]>> {
+        Ok(self.texture(map)?.read_integers(self.context.glow()))
+    }
+
+    /// A map's first channel, bottom row first, as whole numbers.
+    ///
+    /// # Errors
+    /// If there is no such map.
+    pub fn read_counts(&self, map: Map) -> Result<Vec<u32>> {
+        Ok(self.texture(map)?.read_counts(self.context.glow()))
+    }
+
     pub(super) fn texture(&self, map: Map) -> Result<Texture> {
         self.textures.get(&map).copied().ok_or_else(|| {
             Error::usage(
@@ -373,6 +439,9 @@ impl Drop for GlMachine<'_> {
             self.textures
                 .values()
                 .for_each(|texture| gl.delete_texture(texture.raw));
+            self.storages
+                .values()
+                .for_each(|storage| storage.delete(gl));
             self.framebuffers
                 .values()
                 .for_each(|framebuffer| gl.delete_framebuffer(*framebuffer));
@@ -380,6 +449,9 @@ impl Drop for GlMachine<'_> {
                 .values()
                 .flat_map(Linked::programs)
                 .for_each(|program| gl.delete_program(program.raw));
+            if let Some(scan) = &self.scan {
+                scan.delete(gl);
+            }
             self.queries
                 .values()
                 .for_each(|query| gl.delete_query(*query));

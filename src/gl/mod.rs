@@ -16,7 +16,10 @@ mod geometry;
 mod glsl;
 mod interpreter;
 mod machine;
+pub mod network;
 mod program;
+mod scan;
+mod storage;
 mod texture;
 mod trap;
 
@@ -26,6 +29,7 @@ pub use context::{Backend, Context, ContextOptions, Profile};
 pub use driver::{Driver, Trap, WANTED_EXTENSIONS};
 pub use geometry::Geometry;
 pub use machine::{Counts, GlMachine};
+pub use storage::{Texels, largest_storage};
 
 // A map's format is part of the vocabulary.
 pub use crate::steps::Format;

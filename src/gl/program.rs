@@ -20,7 +20,12 @@ pub(super) struct Program {
 
 impl Program {
     /// Links files of `glsl/`, one vertex shader and fragment shaders that complete each other. The context is current.
-    pub(super) fn link(gl: &glow::Context, files: &[&str]) -> Result<Self> {
+    /// Every file sees the constants as `#define`s.
+    pub(super) fn link(
+        gl: &glow::Context,
+        files: &[&str],
+        constants: &[(&'static str, u32)],
+    ) -> Result<Self> {
         let out = |what: String| Error::Driver {
             what,
             remedy: "the driver is out of memory or lost".into(),
@@ -29,13 +34,12 @@ impl Program {
         unsafe {
             let raw = gl.create_program().map_err(out)?;
             for &file in files {
-                let vertex = file.ends_with(".vert");
-                let kind = if vertex {
-                    glow::VERTEX_SHADER
-                } else {
-                    glow::FRAGMENT_SHADER
+                let kind = match file.rsplit('.').next() {
+                    Some("vert") => glow::VERTEX_SHADER,
+                    Some("comp") => glow::COMPUTE_SHADER,
+                    _ => glow::FRAGMENT_SHADER,
                 };
-                let source = Source::load(file)?;
+                let source = Source::load_with(file, constants)?;
                 let shader = gl.create_shader(kind).map_err(out)?;
                 gl.shader_source(shader, &source.text);
                 gl.compile_shader(shader);
@@ -74,6 +78,31 @@ impl Program {
     }
 }
 
+/// What a program is known by: its name, and what it is compiled with.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub(super) struct ProgramKey {
+    pub(super) shader: Shader,
+    pub(super) constants: Vec<(&'static str, u32)>,
+}
+
+impl ProgramKey {
+    /// Only an A-buffer's programs are compiled with constants; `more` come last.
+    pub(super) fn new(
+        shader: Shader,
+        constants: &[(&'static str, u32)],
+        more: Option<(&'static str, u32)>,
+    ) -> Self {
+        let constants = if shader.0.starts_with(A_BUFFER) {
+            constants.iter().copied().chain(more).collect()
+        } else {
+            Vec::new()
+        };
+        Self { shader, constants }
+    }
+}
+
+const A_BUFFER: &str = "a_buffer/";
+
 /// What a shader's name stands for.
 #[derive(Debug)]
 pub(super) enum Linked {
@@ -84,7 +113,9 @@ pub(super) enum Linked {
 }
 
 /// The shaders that draw [`Objects::Screen`]; all others draw surfaces.
-const ON_THE_SCREEN: [&str; 10] = [
+const ON_THE_SCREEN: [&str; 12] = [
+    "a_buffer/resolve",
+    "a_buffer/resolve_segment",
     "clip/next_bound",
     "dual/left",
     "ideal/begin",
@@ -99,12 +130,14 @@ const ON_THE_SCREEN: [&str; 10] = [
 
 impl Linked {
     /// Links what the name stands for. The context is current.
-    pub(super) fn new(gl: &glow::Context, Shader(name): Shader) -> Result<Self> {
+    pub(super) fn new(gl: &glow::Context, key: &ProgramKey) -> Result<Self> {
+        let Shader(name) = key.shader;
         let fragment = format!("{name}.frag");
         if ON_THE_SCREEN.contains(&name) {
             return Ok(Self::Screen(Program::link(
                 gl,
                 &["screen.vert", &fragment],
+                &key.constants,
             )?));
         }
         let vertex = match name.split_once('/') {
@@ -112,7 +145,7 @@ impl Linked {
             Some(("invariance", _)) => "invariance/vertex.vert",
             _ => "geometry.vert",
         };
-        let with = |surface| Program::link(gl, &[vertex, &fragment, surface]);
+        let with = |surface| Program::link(gl, &[vertex, &fragment, surface], &key.constants);
         Ok(Self::Surface {
             unlit: with("surface/unlit.frag")?,
             lit: with("surface/lit.frag")?,

@@ -14,6 +14,8 @@ pub(super) const fn internal(format: Format) -> u32 {
         Format::Rgba32F => glow::RGBA32F,
         Format::R32F => glow::R32F,
         Format::Rg32F => glow::RG32F,
+        Format::R32Ui => glow::R32UI,
+        Format::Rgba32Ui => glow::RGBA32UI,
         Format::Depth32FStencil8 => glow::DEPTH32F_STENCIL8,
         Format::Depth24Stencil8 => glow::DEPTH24_STENCIL8,
         Format::Rg16 => glow::RG16,
@@ -117,6 +119,33 @@ impl Texture {
             self.read(gl, glow::STENCIL_INDEX, glow::UNSIGNED_BYTE, &mut texels);
         }
         texels
+    }
+
+    /// An integer texture's texels, bottom row first.
+    pub(super) fn read_integers(&self, gl: &glow::Context) -> Vec<[u32; 4]> {
+        let mut texels = vec![[0; 4]; (self.size[0] * self.size[1]) as usize];
+        let into = bytemuck::cast_slice_mut(&mut texels);
+        self.read(gl, glow::RGBA_INTEGER, glow::UNSIGNED_INT, into);
+        texels
+    }
+
+    /// The first channel of a texture that counts, bottom row first.
+    pub(super) fn read_counts(&self, gl: &glow::Context) -> Vec<u32> {
+        let mut counts = vec![0_u32; (self.size[0] * self.size[1]) as usize];
+        let into: &mut [u8] = bytemuck::cast_slice_mut(&mut counts);
+        match self.format {
+            Format::R32F => {
+                self.read(gl, glow::RED, glow::FLOAT, into);
+                counts
+                    .iter_mut()
+                    .for_each(|count| *count = f32::from_bits(*count) as u32);
+            }
+            Format::Depth32FStencil8 | Format::Depth24Stencil8 => {
+                return self.read_stencils(gl).into_iter().map(u32::from).collect();
+            }
+            _ => self.read(gl, glow::RED_INTEGER, glow::UNSIGNED_INT, into),
+        }
+        counts
     }
 
     fn read(&self, gl: &glow::Context, format: u32, kind: u32, into: &mut [u8]) {

@@ -4,6 +4,7 @@ mod compare;
 mod file;
 
 pub use compare::{Comparison, difference_picture};
+pub(crate) use file::write_whole;
 pub use file::{Encoding, FileKind, check_writable};
 
 use crate::fragment::Rgba;

@@ -97,7 +97,7 @@ impl Algorithm for CoplanarDepthPeeling {
             },
             stopped: Some(stopped),
             peeling: Peeling::Used,
-            image: None,
+            ..Drawn::default()
         })
     }
 }

@@ -211,7 +211,7 @@ impl DepthPeeling {
             composited: Composited::Unknown,
             stopped: Some(Reason::PeelLimit),
             peeling: Peeling::Used,
-            image: None,
+            ..Drawn::default()
         })
     }
 }
@@ -248,6 +248,6 @@ fn drawn(outcome: &Outcome) -> Drawn {
         composited: Composited::Some(number("composited") as u64),
         stopped: Some(outcome.stopped.unwrap_or(Reason::PeelLimit)),
         peeling: Peeling::Used,
-        image: None,
+        ..Drawn::default()
     }
 }

@@ -112,7 +112,7 @@ impl Algorithm for DualDepthPeeling {
     }
 
     /// What lies between the depths of the peel that was not made.
-    fn count_left(&mut self, machine: &mut GlMachine<'_>, drawn: &mut Drawn) -> Result<()> {
+    fn account(&mut self, machine: &mut GlMachine<'_>, drawn: &mut Drawn) -> Result<()> {
         if drawn.composited == Composited::Unknown {
             run(
                 &bavoil::COUNT_FRAGMENTS_LEFT,

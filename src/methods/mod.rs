@@ -1,8 +1,10 @@
 //! The methods: one file each, which reads like its paper, and the renderer that runs them.
 
+mod a_buffer;
 mod batches;
 mod blend;
 mod coherent_layer_peeling;
+mod complexity;
 pub mod coplanar;
 mod coplanar_depth_peeling;
 mod depth_peeling;
@@ -22,7 +24,12 @@ mod requirements;
 mod sorting;
 mod stats;
 
+pub use a_buffer::{
+    ABufferCounts, ABufferOptions, Band, FEW, Fill, LARGEST_NETWORK, Manager, RecordColor, Room,
+    Sort, bands,
+};
 pub use coherent_layer_peeling::{CoherentOptions, Variant};
+pub use complexity::{Bin, Complexity, CountBy};
 pub use coplanar_depth_peeling::CoplanarDepthPeelingOptions;
 pub use depth_peeling::{Compositing, DepthPeelingOptions};
 pub use depth_unit_0::{DepthSource, DepthUnit0, Place, Trial};
@@ -48,8 +55,8 @@ trait Algorithm {
     /// Draws one frame. The machine is in GL's initial state, but for the clear colour, which is the background's.
     fn draw(&mut self, machine: &mut GlMachine<'_>, scene: &Scene) -> Result<Drawn>;
 
-    /// Counts what the frame has left out, if its loop did not: draws that are no part of the method and of its time.
-    fn count_left(&mut self, _: &mut GlMachine<'_>, _: &mut Drawn) -> Result<()> {
+    /// Counts what the last frame did or left out, where that takes draws or time that are no part of the method.
+    fn account(&mut self, _: &mut GlMachine<'_>, _: &mut Drawn) -> Result<()> {
         Ok(())
     }
 }
@@ -67,6 +74,8 @@ struct Drawn {
     stopped: Option<Reason>,
     /// Whether depth peeling was used.
     peeling: Peeling,
+    /// What its lists have cost, if it has any.
+    a_buffer: Option<ABufferCounts>,
     /// The image, if it is not in the map `image`.
     image: Option<Image>,
 }

@@ -3,6 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
+use super::a_buffer::{ABufferOptions, Manager};
 use super::coherent_layer_peeling::{CoherentOptions, Variant};
 use super::coplanar_depth_peeling::CoplanarDepthPeelingOptions;
 use super::depth_peeling::DepthPeelingOptions;
@@ -34,6 +35,8 @@ pub enum Method {
     CoherentLayerPeeling(CoherentOptions),
     /// Coherent layer peeling on an ideal GPU, Carr et al. 2008, Algorithm 2.
     IdealCoherentLayerPeeling(IdealOptions),
+    /// A-buffers, Lindholm et al. 2015.
+    ABuffer(ABufferOptions),
     /// Every fragment captured, sorted and composited in f64.
     Exact,
 }
@@ -47,7 +50,7 @@ pub struct Entry {
     pub method: Method,
     /// Where it is published.
     pub source: &'static str,
-    /// Whether its image is exact when nothing stops it early.
+    /// Whether its image is exact when nothing stops it early, but for the rounding of the colours it keeps.
     pub exact: bool,
     /// What becomes of fragments of equal depth.
     pub ties: &'static str,
@@ -59,125 +62,161 @@ pub struct Entry {
 
 /// Every method, in the order in which `compare` shows them.
 pub const fn registry() -> &'static [Entry] {
-    const DEPTH_PEELING: DepthPeelingOptions = DepthPeelingOptions {
-        maximum_number_of_peels: 0,
-        occlusion_ratio: 0.0,
-        compositing: super::depth_peeling::Compositing::OnTheFly,
-        as_printed: false,
-        depth_unit_0: super::depth_unit_0::DepthUnit0::Sampler,
-        amendments: &[],
-    };
-    &[
-        Entry {
-            name: "blend",
-            method: Method::Blend,
-            source: "Everitt 2001, figure 1b",
-            exact: false,
-            ties: "order of submission",
-            memory: "pixels",
-            needs: &[],
+    ENTRIES
+}
+
+const DEPTH_PEELING: DepthPeelingOptions = DepthPeelingOptions {
+    maximum_number_of_peels: 0,
+    occlusion_ratio: 0.0,
+    compositing: super::depth_peeling::Compositing::OnTheFly,
+    as_printed: false,
+    depth_unit_0: super::depth_unit_0::DepthUnit0::Sampler,
+    amendments: &[],
+};
+
+const ENTRIES: &[Entry] = &[
+    Entry {
+        name: "blend",
+        method: Method::Blend,
+        source: "Everitt 2001, figure 1b",
+        exact: false,
+        ties: "order of submission",
+        memory: "pixels",
+        needs: &[],
+    },
+    Entry {
+        name: "painter",
+        method: Method::Painter,
+        source: "Carr et al. 2008, section 1",
+        exact: false,
+        ties: "order of submission",
+        memory: "pixels + triangles",
+        needs: &[],
+    },
+    Entry {
+        name: "depth-peeling",
+        method: Method::DepthPeeling(DEPTH_PEELING),
+        source: "Everitt 2001; VTK",
+        exact: true,
+        ties: "the first submitted, the others lost and counted",
+        memory: "pixels (layers x pixels if they are kept)",
+        needs: &[],
+    },
+    Entry {
+        name: "dual-depth-peeling",
+        method: Method::DualDepthPeeling(DualDepthPeelingOptions {
+            maximum_number_of_peels: 0,
+            occlusion_ratio: 0.0,
+            amendments: &[],
+        }),
+        source: "Bavoil and Myers 2008; VTK today",
+        exact: true,
+        ties: "order of submission",
+        memory: "pixels",
+        needs: &[],
+    },
+    Entry {
+        name: "coplanar-depth-peeling",
+        method: Method::CoplanarDepthPeeling(CoplanarDepthPeelingOptions {
+            maximum_number_of_peels: 0,
+        }),
+        source: "Vasilakis and Fudos 2013",
+        exact: true,
+        ties: "order of submission",
+        memory: "pixels",
+        needs: &[],
+    },
+    Entry {
+        name: "layer-peeling",
+        method: Method::LayerPeeling(LayerPeelingOptions { as_printed: false }),
+        source: "Carr et al. 2008, sections 1 and 8",
+        exact: true,
+        ties: "order of submission",
+        memory: "pixels",
+        needs: &[],
+    },
+    Entry {
+        name: "hybrid-layer-peeling",
+        method: Method::HybridLayerPeeling(LayerPeelingOptions { as_printed: false }),
+        source: "Carr et al. 2008, Algorithm 1",
+        exact: true,
+        ties: "unsorted meshes before sorted ones",
+        memory: "pixels, triangles",
+        needs: &[],
+    },
+    Entry {
+        name: "coherent-layer-peeling-a",
+        method: Method::CoherentLayerPeeling(COHERENT_A),
+        source: "Carr et al. 2008, section 5",
+        exact: true,
+        ties: "order of submission after sorting",
+        memory: "pixels, triangles",
+        needs: &[],
+    },
+    Entry {
+        name: "coherent-layer-peeling-b",
+        method: Method::CoherentLayerPeeling(COHERENT_B),
+        source: "Carr et al. 2008, section 6",
+        exact: true,
+        ties: "order of submission after sorting",
+        memory: "pixels, triangles",
+        needs: &[],
+    },
+    Entry {
+        name: "ideal-coherent-layer-peeling",
+        method: Method::IdealCoherentLayerPeeling(IdealOptions {
+            sorting: SORTING,
+            tight_bound: false,
+            as_printed: false,
+        }),
+        source: "Carr et al. 2008, Algorithm 2",
+        exact: true,
+        ties: "order of submission after sorting",
+        memory: "pixels, triangles",
+        needs: ideal::NEEDS,
+    },
+    a_buffer("ffb", Manager::Ffb, false, false),
+    a_buffer("ffb+ppao", Manager::Ffb, true, false),
+    a_buffer("ffb+ppdp", Manager::Ffb, false, true),
+    a_buffer("ffb+ppao+ppdp", Manager::Ffb, true, true),
+    a_buffer("dfb", Manager::Dfb, false, false),
+    a_buffer("dfb+ppao", Manager::Dfb, true, false),
+    a_buffer("dfb+ppdp", Manager::Dfb, false, true),
+    a_buffer("dfb+ppao+ppdp", Manager::Dfb, true, true),
+    a_buffer("ppll", Manager::Ppll, false, false),
+    a_buffer("ppll+ppao", Manager::Ppll, true, false),
+    a_buffer("ppll+ppdp", Manager::Ppll, false, true),
+    a_buffer("ppll+ppao+ppdp", Manager::Ppll, true, true),
+    Entry {
+        name: "exact",
+        method: Method::Exact,
+        source: "the oracle",
+        exact: true,
+        ties: "order of submission",
+        memory: "fragments, in pieces",
+        needs: &[],
+    },
+];
+
+/// An A-buffer's entry. `static` is the paper's word for the array without ppAO and ppDP.
+const fn a_buffer(name: &'static str, manager: Manager, pp_ao: bool, pp_dp: bool) -> Entry {
+    Entry {
+        name,
+        method: Method::ABuffer(ABufferOptions {
+            manager,
+            pp_ao,
+            pp_dp,
+            ..ABufferOptions::DEFAULT
+        }),
+        source: "Lindholm et al. 2015",
+        exact: true,
+        ties: "order of submission",
+        memory: match manager {
+            Manager::Ffb => "pixels x layers, in bands",
+            Manager::Dfb | Manager::Ppll => "pixels + fragments, in bands",
         },
-        Entry {
-            name: "painter",
-            method: Method::Painter,
-            source: "Carr et al. 2008, section 1",
-            exact: false,
-            ties: "order of submission",
-            memory: "pixels + triangles",
-            needs: &[],
-        },
-        Entry {
-            name: "depth-peeling",
-            method: Method::DepthPeeling(DEPTH_PEELING),
-            source: "Everitt 2001; VTK",
-            exact: true,
-            ties: "the first submitted, the others lost and counted",
-            memory: "pixels (layers x pixels if they are kept)",
-            needs: &[],
-        },
-        Entry {
-            name: "dual-depth-peeling",
-            method: Method::DualDepthPeeling(DualDepthPeelingOptions {
-                maximum_number_of_peels: 0,
-                occlusion_ratio: 0.0,
-                amendments: &[],
-            }),
-            source: "Bavoil and Myers 2008; VTK today",
-            exact: true,
-            ties: "order of submission",
-            memory: "pixels",
-            needs: &[],
-        },
-        Entry {
-            name: "coplanar-depth-peeling",
-            method: Method::CoplanarDepthPeeling(CoplanarDepthPeelingOptions {
-                maximum_number_of_peels: 0,
-            }),
-            source: "Vasilakis and Fudos 2013",
-            exact: true,
-            ties: "order of submission",
-            memory: "pixels",
-            needs: &[],
-        },
-        Entry {
-            name: "layer-peeling",
-            method: Method::LayerPeeling(LayerPeelingOptions { as_printed: false }),
-            source: "Carr et al. 2008, sections 1 and 8",
-            exact: true,
-            ties: "order of submission",
-            memory: "pixels",
-            needs: &[],
-        },
-        Entry {
-            name: "hybrid-layer-peeling",
-            method: Method::HybridLayerPeeling(LayerPeelingOptions { as_printed: false }),
-            source: "Carr et al. 2008, Algorithm 1",
-            exact: true,
-            ties: "unsorted meshes before sorted ones",
-            memory: "pixels, triangles",
-            needs: &[],
-        },
-        Entry {
-            name: "coherent-layer-peeling-a",
-            method: Method::CoherentLayerPeeling(COHERENT_A),
-            source: "Carr et al. 2008, section 5",
-            exact: true,
-            ties: "order of submission after sorting",
-            memory: "pixels, triangles",
-            needs: &[],
-        },
-        Entry {
-            name: "coherent-layer-peeling-b",
-            method: Method::CoherentLayerPeeling(COHERENT_B),
-            source: "Carr et al. 2008, section 6",
-            exact: true,
-            ties: "order of submission after sorting",
-            memory: "pixels, triangles",
-            needs: &[],
-        },
-        Entry {
-            name: "ideal-coherent-layer-peeling",
-            method: Method::IdealCoherentLayerPeeling(IdealOptions {
-                sorting: SORTING,
-                tight_bound: false,
-                as_printed: false,
-            }),
-            source: "Carr et al. 2008, Algorithm 2",
-            exact: true,
-            ties: "order of submission after sorting",
-            memory: "pixels, triangles",
-            needs: ideal::NEEDS,
-        },
-        Entry {
-            name: "exact",
-            method: Method::Exact,
-            source: "the oracle",
-            exact: true,
-            ties: "order of submission",
-            memory: "fragments, in pieces",
-            needs: &[],
-        },
-    ]
+        needs: &[],
+    }
 }
 
 const SORTING: Sorting = Sorting::Buckets(256);
@@ -213,6 +252,7 @@ impl Method {
                 Variant::B => "coherent-layer-peeling-b",
             },
             Self::IdealCoherentLayerPeeling(_) => "ideal-coherent-layer-peeling",
+            Self::ABuffer(options) => options.name(),
             Self::Exact => "exact",
         }
     }

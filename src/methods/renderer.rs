@@ -2,6 +2,7 @@
 
 use std::time::{Duration, Instant};
 
+use super::a_buffer::ABuffer;
 use super::coherent_layer_peeling::CoherentLayerPeeling;
 use super::coplanar_depth_peeling::CoplanarDepthPeeling;
 use super::depth_peeling::DepthPeeling;
@@ -32,7 +33,7 @@ use crate::steps::{Call, Dialect, Listing, Machine, Map, Query, Target, Variable
 /// ```
 #[derive(Debug)]
 pub struct Renderer<'c> {
-    machine: GlMachine<'c>,
+    pub(super) machine: GlMachine<'c>,
     color: Format,
     depth: Format,
 }
@@ -114,7 +115,9 @@ impl<'c> Renderer<'c> {
     /// What the method or the driver cannot do.
     pub fn render(&mut self, scene: &Scene, method: &Method) -> Result<Frame> {
         let mut algorithm = self.prepare(scene, method)?;
-        let (drawn, ms) = self.draw(scene, algorithm.as_mut())?;
+        let (mut drawn, ms) = self.draw(scene, algorithm.as_mut())?;
+        self.machine
+            .aside(|machine| algorithm.account(machine, &mut drawn))?;
         self.finish(scene, method, drawn, ms)
     }
 
@@ -134,6 +137,8 @@ impl<'c> Renderer<'c> {
             drawn = again;
             times.push(ms);
         }
+        self.machine
+            .aside(|machine| algorithm.account(machine, &mut drawn))?;
         times.sort_unstable_by(f64::total_cmp);
         self.finish(scene, method, drawn, times[times.len() / 2])
     }
@@ -147,19 +152,27 @@ impl<'c> Renderer<'c> {
         self.machine.copy_to_window(vtk::IMAGE)
     }
 
-    fn prepare(&mut self, scene: &Scene, method: &Method) -> Result<Box<dyn Algorithm>> {
+    /// Makes the image and the opaque depth, and uploads the scene.
+    pub(super) fn set_up(&mut self, scene: &Scene) -> Result<()> {
         let machine = &mut self.machine;
         machine.free_every_map();
         machine.allocate(IMAGE, self.color)?;
         machine.allocate(vtk::OPAQUE_DEPTH, self.depth)?;
         machine.target(vtk::IMAGE, Some(IMAGE), Some(vtk::OPAQUE_DEPTH))?;
         machine.set_geometry(Geometry::upload(machine.context(), scene, machine.size())?);
+        Ok(())
+    }
+
+    fn prepare(&mut self, scene: &Scene, method: &Method) -> Result<Box<dyn Algorithm>> {
+        self.set_up(scene)?;
+        let machine = &mut self.machine;
         let mut algorithm: Box<dyn Algorithm> = match method {
             Method::Blend => Box::new(blend::Blend),
             Method::Painter => Box::new(painter::Painter),
             Method::DepthPeeling(options) => {
                 Box::new(DepthPeeling::new(*options, self.color, self.depth))
             }
+            Method::ABuffer(options) => Box::new(ABuffer::new(*options)),
             Method::LayerPeeling(options) => Box::new(LayerPeeling {
                 options: Peeled::new(options.as_printed),
                 color: self.color,
@@ -195,16 +208,13 @@ impl<'c> Renderer<'c> {
         self.begin(scene)?;
         self.machine.finish();
         let start = Instant::now();
-        let mut drawn = algorithm.draw(&mut self.machine, scene)?;
+        let drawn = algorithm.draw(&mut self.machine, scene)?;
         self.machine.finish();
-        let ms = start.elapsed().as_secs_f64() * 1e3;
-        self.machine
-            .aside(|machine| algorithm.count_left(machine, &mut drawn))?;
-        Ok((drawn, ms))
+        Ok((drawn, start.elapsed().as_secs_f64() * 1e3))
     }
 
     /// GL's initial state and the background's colour.
-    fn begin(&mut self, scene: &Scene) -> Result<()> {
+    pub(super) fn begin(&mut self, scene: &Scene) -> Result<()> {
         self.machine.begin_frame();
         let [red, green, blue] = scene.background;
         self.machine.perform(&Call::ClearColor {
@@ -244,6 +254,7 @@ impl<'c> Renderer<'c> {
             stopped: drawn.stopped,
             peeling: drawn.peeling,
             bytes: counts.bytes,
+            a_buffer: drawn.a_buffer,
             ms,
         };
         Ok(Frame {

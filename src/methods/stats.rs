@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use super::ABufferCounts;
 use crate::steps::Reason;
 
 /// The facts of a frame. Everything but `ms` is a count and the same on every run.
@@ -25,6 +26,8 @@ pub struct Stats {
     pub peeling: Peeling,
     /// Bytes of the maps that the method has allocated.
     pub bytes: u64,
+    /// What the fragment lists have cost; nothing if the method has none.
+    pub a_buffer: Option<ABufferCounts>,
     /// Time of the frame in milliseconds, readback and files left out.
     ///
     /// The median of several frames after [`measure`](super::Renderer::measure); after
@@ -82,6 +85,28 @@ impl fmt::Display for Stats {
             "memory",
             &format_args!("{:.1} MiB", self.bytes as f64 / f64::from(1 << 20)),
         )?;
+        if let Some(counts) = &self.a_buffer {
+            line("bands", &counts.bands)?;
+            line(
+                "lists",
+                &format_args!("{:.1} MiB", counts.list_bytes as f64 / f64::from(1 << 20)),
+            )?;
+            line("records read", &counts.records_read)?;
+            line(
+                "subpasses",
+                &format_args!(
+                    "{}, at most {} for a pixel",
+                    counts.subpasses, counts.most_subpasses
+                ),
+            )?;
+            line(
+                "array slots",
+                &format_args!(
+                    "{} reserved, {} used",
+                    counts.slots_reserved, counts.slots_used
+                ),
+            )?;
+        }
         write!(f, "{:<16} {:.1} ms", "time", self.ms)
     }
 }

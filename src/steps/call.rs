@@ -137,6 +137,10 @@ pub struct Target(pub &'static str);
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Shader(pub &'static str);
 
+/// A shader storage buffer by name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Storage(pub &'static str);
+
 /// An occlusion query by name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Query(pub &'static str);
@@ -250,6 +254,34 @@ pub enum Call {
     UseProgram {
         program: Shader,
     },
+    /// `glUseProgram` with that one of a row of programs whose Local Array has so many elements (Lindholm et al. 2015,
+    /// section 5.1: "the individual instances only differ by a single number").
+    UseProgramOfSize {
+        program: Shader,
+        size: Index,
+    },
+    /// `glStencilFunc` with a reference that is computed.
+    StencilReference {
+        func: Compare,
+        reference: Index,
+        mask: u32,
+    },
+    /// `glClearBufferuiv` with `GL_COLOR` and zeros.
+    ClearIntegers {
+        drawbuffer: u32,
+    },
+    /// `glBindImageTexture`, for reading and writing.
+    BindImage {
+        unit: u32,
+        texture: Map,
+    },
+    /// `glBindBufferBase` with `GL_SHADER_STORAGE_BUFFER`.
+    BindStorage {
+        index: u32,
+        buffer: Storage,
+    },
+    /// `glMemoryBarrier` with `GL_ALL_BARRIER_BITS`.
+    MemoryBarrier,
     BindFramebuffer {
         framebuffer: Target,
     },

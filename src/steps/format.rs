@@ -17,6 +17,10 @@ pub enum Format {
     Rg32F,
     /// Two 16-bit fixed-point numbers.
     Rg16,
+    /// One 32-bit whole number.
+    R32Ui,
+    /// Four 32-bit whole numbers.
+    Rgba32Ui,
     /// 32-bit float depth with 8 bits of stencil.
     Depth32FStencil8,
     /// 24-bit fixed-point depth with 8 bits of stencil. Sampled on llvmpipe it is not what was stored.
@@ -37,12 +41,13 @@ impl Format {
             Self::Rgba8
             | Self::Rgb10A2
             | Self::R32F
+            | Self::R32Ui
             | Self::Rg16
             | Self::Depth24
             | Self::Depth32F
             | Self::Depth24Stencil8 => 4,
             Self::Rgba16F | Self::Rg32F | Self::Depth32FStencil8 => 8,
-            Self::Rgba32F => 16,
+            Self::Rgba32F | Self::Rgba32Ui => 16,
         }
     }
 

@@ -210,6 +210,40 @@ pub const fn glUseProgram(program: Shader) -> Step {
     Step::Call(Call::UseProgram { program })
 }
 
+/// The program whose Local Array has as many elements as the variable says.
+pub const fn glUseProgramOfSize(program: Shader, variable: &'static str) -> Step {
+    Step::Call(Call::UseProgramOfSize {
+        program,
+        size: Index::Variable(variable),
+    })
+}
+
+/// `glStencilFunc` with the variable's value as reference.
+pub const fn glStencilReference(func: Compare, variable: &'static str, mask: u32) -> Step {
+    Step::Call(Call::StencilReference {
+        func,
+        reference: Index::Variable(variable),
+        mask,
+    })
+}
+
+/// Zeros in an integer colour buffer.
+pub const fn glClearBufferuiv(drawbuffer: u32) -> Step {
+    Step::Call(Call::ClearIntegers { drawbuffer })
+}
+
+pub const fn glBindImageTexture(unit: u32, texture: Map) -> Step {
+    Step::Call(Call::BindImage { unit, texture })
+}
+
+pub const fn glBindStorageBuffer(index: u32, buffer: Storage) -> Step {
+    Step::Call(Call::BindStorage { index, buffer })
+}
+
+pub const fn glMemoryBarrier() -> Step {
+    Step::Call(Call::MemoryBarrier)
+}
+
 pub const fn glBindFramebuffer(framebuffer: Target) -> Step {
     Step::Call(Call::BindFramebuffer { framebuffer })
 }

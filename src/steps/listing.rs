@@ -103,6 +103,10 @@ pub enum Reason {
     PeelLimit,
     /// It went on for more iterations than a right algorithm can need: it would never have ended.
     NoEnd,
+    /// The local array was full, and what did not fit was dropped.
+    ArrayFull,
+    /// Rays ended where too little light came through.
+    EarlyTermination,
 }
 
 impl std::fmt::Display for Reason {
@@ -112,6 +116,8 @@ impl std::fmt::Display for Reason {
             Self::OcclusionRatio => "occlusion ratio",
             Self::PeelLimit => "peel limit",
             Self::NoEnd => "no end: more iterations than surfaces at any pixel",
+            Self::ArrayFull => "local array full",
+            Self::EarlyTermination => "early ray termination",
         })
     }
 }

@@ -42,7 +42,7 @@ mod walk;
 pub use amend::Amendment;
 pub use call::{
     BlendFactor, Buffers, Call, Capability, Compare, Index, Map, Objects, Query, Shader, StencilOp,
-    Target,
+    Storage, Target,
 };
 pub use classic::{
     ClassicCall, ClassicCapability, DepthTextureMode, MatrixMode, TexEnvName, TexEnvValue,

@@ -351,6 +351,38 @@ fn signature(call: &Call) -> (&'static str, Vec<(&'static str, String)>) {
             "param" = gl(compare(func))
         ),
         Call::UseProgram { program } => call!("glUseProgram", "program" = program.0),
+        Call::UseProgramOfSize { program, size } => {
+            call!("glUseProgram", "program" = program.0, "N" = number(size))
+        }
+        Call::StencilReference {
+            func,
+            reference,
+            mask,
+        } => call!(
+            "glStencilFunc",
+            "func" = gl(compare(func)),
+            "ref" = number(reference),
+            "mask" = format!("0x{mask:02X}")
+        ),
+        Call::ClearIntegers { drawbuffer } => call!(
+            "glClearBufferuiv",
+            "buffer" = "GL_COLOR",
+            "drawbuffer" = drawbuffer,
+            "value" = "{0, 0, 0, 0}"
+        ),
+        Call::BindImage { unit, texture } => call!(
+            "glBindImageTexture",
+            "unit" = unit,
+            "texture" = texture,
+            "access" = "GL_READ_WRITE"
+        ),
+        Call::BindStorage { index, buffer } => call!(
+            "glBindBufferBase",
+            "target" = "GL_SHADER_STORAGE_BUFFER",
+            "index" = index,
+            "buffer" = buffer.0
+        ),
+        Call::MemoryBarrier => call!("glMemoryBarrier", "barriers" = "GL_ALL_BARRIER_BITS"),
         Call::BindFramebuffer { framebuffer } => {
             call!(
                 "glBindFramebuffer",
@@ -395,6 +427,14 @@ fn signature(call: &Call) -> (&'static str, Vec<(&'static str, String)>) {
         ),
         Call::Classic(call) => call.signature(),
         Call::DrawBuffer(call) => call.signature(),
+    }
+}
+
+fn number(index: Index) -> String {
+    match index {
+        Index::Only => "1".into(),
+        Index::Number(number) => number.to_string(),
+        Index::Variable(name) => name.into(),
     }
 }
 

@@ -215,8 +215,17 @@ impl<M: Machine> Walk<'_, M> {
         match &mut call {
             Call::BindDepthBuffer { buffer: map }
             | Call::BindTexture { texture: map }
+            | Call::BindImage { texture: map, .. }
             | Call::AttachColor { texture: map }
             | Call::AttachDepth { texture: map } => *map = self.resolve_map(*map)?,
+            Call::UseProgramOfSize { size: number, .. }
+            | Call::StencilReference {
+                reference: number, ..
+            } => {
+                if let Index::Variable(name) = *number {
+                    *number = Index::Number(self.variable(name)? as u32);
+                }
+            }
             Call::CopyImage { from, to } | Call::Swap { a: from, b: to } => {
                 *from = self.resolve_map(*from)?;
                 *to = self.resolve_map(*to)?;

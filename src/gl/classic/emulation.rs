@@ -103,7 +103,7 @@ impl GlMachine<'_> {
             gl.bind_texture(glow::TEXTURE_2D, Some(hilo.raw));
             gl.active_texture(glow::TEXTURE0);
         }
-        let linked = self.current.and_then(|shader| self.programs.get(&shader));
+        let linked = self.current.as_ref().and_then(|key| self.programs.get(key));
         for program in linked.into_iter().flat_map(Linked::programs) {
             self.set_uniforms(program.raw, &state, &formats);
         }

@@ -1,0 +1,104 @@
+//! What A-buffers cost, as ratios of medians from one run at 1024 x 768: against plain blending into 32-bit float,
+//! against depth peeling, and ppAO and ppDP against the static array.
+//!
+//! `cargo bench --bench a_buffer`
+
+use onionskin::fragment::Rgba;
+use onionskin::methods::{ABufferOptions, Fill, Manager, Sort};
+use onionskin::scene::generate::{TorusKnot, torus_knot};
+use onionskin::{Context, Method, Renderer, Result, Scene};
+
+const SIZE: [u32; 2] = [1024, 768];
+const FRAMES: usize = 7;
+
+fn main() -> Result<()> {
+    let context = Context::headless()?;
+    println!("{}", context.driver().renderer);
+    let mut renderer = Renderer::new(&context, SIZE[0], SIZE[1])?;
+
+    let quads = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/scenes/sheets64.toml");
+    table(
+        &mut renderer,
+        "figure 7's 64 quads",
+        &Scene::load_at(quads, Some(SIZE))?,
+    )?;
+    table(&mut renderer, "a mesh of 100 000 triangles", &mesh()?)?;
+    let molecule = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/scenes/molecule.toml");
+    table(
+        &mut renderer,
+        "the molecule",
+        &Scene::load_at(molecule, Some(SIZE))?,
+    )
+}
+
+/// A winding tube of 100 000 triangles.
+fn mesh() -> Result<Scene> {
+    let knot = torus_knot(&TorusKnot {
+        p: 5,
+        q: 8,
+        radius: 1.0,
+        winding: 0.5,
+        tube: 0.16,
+        segments: 1563,
+        sides: 32,
+    })?;
+    let mut scene = Scene::of("knot", vec![knot.painted(Rgba::new(0.8, 0.5, 0.2, 0.4))]);
+    scene.size = SIZE;
+    Ok(scene)
+}
+
+fn table(renderer: &mut Renderer<'_>, name: &str, scene: &Scene) -> Result<()> {
+    let complexity = renderer.complexity(scene, Default::default())?;
+    println!(
+        "\n{name}: {} triangles, {} fragments, {} layers at most, {} in the median of the covered pixels",
+        scene.triangle_count(),
+        complexity.fragments(),
+        complexity.max(),
+        complexity.percentile(0.5)
+    );
+    let mut ms =
+        |method: &Method| -> Result<f64> { Ok(renderer.measure(scene, method, FRAMES)?.stats.ms) };
+    let blend = ms(&Method::Blend)?;
+    let peeling = ms(&Method::DepthPeeling(Default::default()))?;
+    println!(
+        "{:<34} {:>7.1} of plain blending",
+        "depth peeling",
+        peeling / blend
+    );
+    for manager in [Manager::Ffb, Manager::Dfb, Manager::Ppll] {
+        let mut of_static = None;
+        for (pp_ao, pp_dp) in [(false, false), (true, false), (false, true), (true, true)] {
+            let options = ABufferOptions {
+                manager,
+                pp_ao,
+                pp_dp,
+                ..ABufferOptions::default()
+            };
+            let time = ms(&Method::ABuffer(options))?;
+            let base = *of_static.get_or_insert(time);
+            println!(
+                "{:<34} {:>7.1} of plain blending, {:6.1} times faster than peeling, {:5.2} times than static",
+                Method::ABuffer(options).to_string(),
+                time / blend,
+                peeling / time,
+                base / time
+            );
+        }
+        for (what, fill, sort) in [
+            ("atomics", Fill::Atomics, Sort::Automatic),
+            ("insertion sort", Fill::Automatic, Sort::Insertion),
+            ("network", Fill::Automatic, Sort::Network),
+        ] {
+            let options = ABufferOptions {
+                manager,
+                fill,
+                sort,
+                ..ABufferOptions::default()
+            };
+            let time = ms(&Method::ABuffer(options))?;
+            let name = format!("{}, {what}", Method::ABuffer(options));
+            println!("{name:<34} {:>7.1} of plain blending", time / blend);
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,49 @@
+//! How many layers does each pixel have (Lindholm et al. 2015, figure 1)?
+//!
+//! Counts the molecule's fragments by additive blending and by atomic counters, as the paper does, which agree; prints how
+//! steeply the histogram falls. Writes the depth complexity image beside the histogram's plot, and the plot as SVG.
+//!
+//! `cargo run --example 10_depth_complexity [FOLDER]`
+
+use onionskin::fragment::Rgba;
+use onionskin::methods::CountBy;
+use onionskin::report::{Plot, PlotKind, picture, plot};
+use onionskin::{Context, Image, Renderer, Scene};
+
+#[path = "common/example.rs"]
+mod example;
+
+fn main() -> onionskin::Result<()> {
+    let scene = Scene::load_at(example::scene("molecule.toml"), Some([640, 480]))?;
+    let context = Context::headless()?;
+    let mut renderer = Renderer::new(&context, 640, 480)?;
+    let complexity = renderer.complexity(&scene, CountBy::Blending)?;
+    let atomics = renderer.complexity(&scene, CountBy::Atomics)?;
+    println!("blending and atomics agree: {}", complexity == atomics);
+
+    let percent = |part: f64| part * 100.0;
+    println!("fragments       {:8}", complexity.fragments());
+    println!("most layers     {:8}", complexity.max());
+    println!("median          {:8}", complexity.percentile(0.5));
+    println!("8 or less       {:7.1}%", percent(complexity.part_up_to(8)));
+    println!(
+        "more than 17    {:7.1}%",
+        percent(1.0 - complexity.part_up_to(17))
+    );
+
+    let svg = example::output("10_depth_complexity.svg")?;
+    plot("molecule", &complexity, 1, PlotKind::Svg)?.save(&svg)?;
+    let mut pictures = vec![picture(&complexity)];
+    if let Plot::Png(histogram) = plot("molecule", &complexity, 1, PlotKind::Png)? {
+        pictures.push(histogram);
+    }
+    let path = example::output("10_depth_complexity.png")?;
+    Image::beside(
+        &pictures.iter().collect::<Vec<_>>(),
+        8,
+        Rgba::opaque([1.0; 3]),
+    )
+    .save(&path)?;
+    println!("{}\n{}", path.display(), svg.display());
+    Ok(())
+}

@@ -1,0 +1,58 @@
+//! What do the three memory managers allocate (Lindholm et al. 2015, figure 4)?
+//!
+//! FFB gives every pixel the room that the deepest one needs, DFB and PPLL each pixel what it needs; DFB pays with a
+//! prefix scan, PPLL with a link for each fragment. The images are the same, bit for bit. With half of FFB's bytes as a
+//! budget FFB renders in bands, and the image is still the same.
+//!
+//! Writes the picture that all of them make.
+//!
+//! `cargo run --example 11_three_memory_managers [FOLDER]`
+
+use onionskin::methods::{ABufferOptions, Manager};
+use onionskin::{Context, Method, Renderer, Scene};
+
+#[path = "common/example.rs"]
+mod example;
+
+fn main() -> onionskin::Result<()> {
+    let scene = Scene::load_at(example::scene("molecule.toml"), Some([640, 480]))?;
+    let context = Context::headless()?;
+    let mut renderer = Renderer::new(&context, 640, 480)?;
+
+    println!("manager  bands  list memory  bytes a fragment  same image");
+    let mut first = None;
+    let mut fixed_bytes = 0;
+    for (name, manager, in_bands) in [
+        ("FFB", Manager::Ffb, false),
+        ("DFB", Manager::Dfb, false),
+        ("PPLL", Manager::Ppll, false),
+        ("FFB", Manager::Ffb, true),
+    ] {
+        let options = ABufferOptions {
+            manager,
+            budget: in_bands.then_some(fixed_bytes / 2),
+            ..ABufferOptions::default()
+        };
+        let frame = renderer.render(&scene, &Method::ABuffer(options))?;
+        let Some(counts) = frame.stats.a_buffer else {
+            continue;
+        };
+        if manager == Manager::Ffb {
+            fixed_bytes = counts.list_bytes;
+        }
+        let first = first.get_or_insert_with(|| frame.image.clone());
+        println!(
+            "{name:<8} {:>5} {:>8.1} MiB {:>17.1}  {}",
+            counts.bands,
+            counts.list_bytes as f64 / f64::from(1 << 20),
+            counts.list_bytes as f64 / frame.stats.fragments as f64,
+            if *first == frame.image { "yes" } else { "no" }
+        );
+    }
+    if let Some(image) = first {
+        let path = example::output("11_three_memory_managers.png")?;
+        image.save(&path)?;
+        println!("{}", path.display());
+    }
+    Ok(())
+}

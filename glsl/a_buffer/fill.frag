@@ -1,0 +1,35 @@
+#version 430 core
+// Fill Step with atomics: each fragment counts its pixel's counter up, finds its place and writes its record there.
+
+vec4 surface_color();    // surface/unlit.frag or surface/lit.frag
+
+layout(early_fragment_tests) in;
+uniform uint first_triangle;
+
+#include "a_buffer/pixel.glsl"
+#include "a_buffer/record.glsl"
+#include "a_buffer/place.glsl"
+
+layout(binding = 0, r32ui) uniform uimage2D counter;
+#if MANAGER == PPLL
+layout(binding = 1, r32ui) uniform uimage2D anchor;
+#endif
+layout(std430, binding = 0) writeonly buffer Records {
+    uvec4 records[];
+};
+
+void main() {
+    ivec2 here = ivec2(gl_FragCoord.xy);
+    uint at = place(imageAtomicAdd(counter, here, 1u));
+    if (at < band.capacity) {
+        vec4 color = surface_color();
+        uint id = SURFACE | (first_triangle + uint(gl_PrimitiveID));
+        records[at * WORDS] = head_of(gl_FragCoord.z, id, color);
+#if FLOAT_COLOR
+        records[at * WORDS + 1u] = floatBitsToUint(color);
+#endif
+#if MANAGER == PPLL
+        next[at] = imageAtomicExchange(anchor, here, at + 1u);
+#endif
+    }
+}

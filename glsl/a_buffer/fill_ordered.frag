@@ -1,0 +1,38 @@
+#version 450 core
+#extension GL_EXT_shader_framebuffer_fetch : require
+// Fill Step with ordered fragments: the pixel's counter, and with PPLL its anchor, are colours of the framebuffer, which
+// a fragment reads and writes in its turn. No atomics, but for PPLL's node pool, which all pixels share.
+
+vec4 surface_color();    // surface/unlit.frag or surface/lit.frag
+
+layout(early_fragment_tests) in;
+uniform uint first_triangle;
+
+#include "a_buffer/pixel.glsl"
+#include "a_buffer/record.glsl"
+#include "a_buffer/place.glsl"
+
+layout(location = 0) inout uint counter;
+#if MANAGER == PPLL
+layout(location = 1) inout uint anchor;
+#endif
+layout(std430, binding = 0) writeonly buffer Records {
+    uvec4 records[];
+};
+
+void main() {
+    uint at = place(counter);
+    counter += 1u;
+    if (at < band.capacity) {
+        vec4 color = surface_color();
+        uint id = SURFACE | (first_triangle + uint(gl_PrimitiveID));
+        records[at * WORDS] = head_of(gl_FragCoord.z, id, color);
+#if FLOAT_COLOR
+        records[at * WORDS + 1u] = floatBitsToUint(color);
+#endif
+#if MANAGER == PPLL
+        next[at] = anchor;
+        anchor = at + 1u;
+#endif
+    }
+}

@@ -1,0 +1,75 @@
+// per-pixel Depth Peeling (Lindholm et al. 2015, section 5.2): the Local Array takes the N nearest fragments that have
+// not been resolved yet, again and again.
+//
+// As printed, "not yet resolved" is told by depth alone, so that of several fragments of equal depth those that did not
+// fit into the buffer are skipped in the next pass, and what lies at depth 0 is skipped always. Amended, the id decides
+// between equal depths (errata L1, L4). Either way a pass that did not overflow is the last (L3).
+
+// Inserts with insertion sort. Stores at most N elements, drops the last element on overflow.
+void insert(double key_f, uint place_f) {
+#if INSERTION
+    if (!(key_f < key[N - 1])) {
+        return;
+    }
+    int hole = N - 1;
+    while (hole > 0 && key_f < key[hole - 1]) {
+        key[hole] = key[hole - 1];
+        place_of[hole] = place_of[hole - 1];
+        --hole;
+    }
+    key[hole] = key_f;
+    place_of[hole] = place_f;
+#else
+    // The same with constant indices: what is inserted pushes everything behind it one place on.
+#define P(k) { \
+    bool swap = key_f < key[k]; \
+    double behind = swap ? key[k] : key_f; \
+    key[k] = swap ? key_f : key[k]; \
+    key_f = behind; \
+    uint place = swap ? place_of[k] : place_f; \
+    place_of[k] = swap ? place_f : place_of[k]; \
+    place_f = place; \
+}
+#include "a_buffer/elements"
+#endif
+}
+
+double min_key = 0.0LF;    // set min depth to 0
+uint left;                 // fragments that the subpass has not skipped
+
+// Skips what was resolved before, inserts the rest; returns the place of the next record.
+uint take(uint at, bool there) {
+    if (!there) {
+        return at;
+    }
+    double key_f = key_of(list_head(at));
+#if AS_PRINTED
+    bool skip = depth_of(key_f) <= (min_key == 0.0LF ? 0.0 : depth_of(min_key));
+#else
+    bool skip = key_f <= min_key;
+#endif
+    if (!skip) {
+        insert(key_f, at);
+        left += 1u;
+    }
+    return list_next(at);
+}
+
+void resolve_by_peeling(uint count) {
+    do {
+        clear_local_array();
+        subpasses += 1u;
+        records_read += count;
+        left = 0u;
+        uint at = list_first();
+        // Four fragments at a time: see `methods/a_buffer/loops.rs`.
+        for (uint f = 0u; f < count; f += 4u) {
+            at = take(at, true);
+            at = take(at, f + 1u < count);
+            at = take(at, f + 2u < count);
+            at = take(at, f + 3u < count);
+        }
+        resolve_local_array(min(left, uint(N)));
+        min_key = key[N - 1];    // store min depth of last buffer element
+    } while (left > uint(N) && !ray_ended());
+}

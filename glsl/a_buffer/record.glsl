@@ -1,0 +1,22 @@
+// The fragment record (Lindholm et al. 2015, section 6.1): z (float32), id (int32), color (vec4 float16), 16 bytes.
+//
+// The id's bits: 31 and 30 say what the source is, 0 a surface, 1 a volume's proxy; 29 to 0 are the source's number. A
+// surface's number is its triangle's place in the order of submission, so that (z, id) puts the fragments of a pixel
+// into one order, whatever the order in which they came.
+
+const uint SURFACE = 0u << 30;
+
+// Depth and colour as they are kept. With FLOAT_COLOR the colour takes a second word of 16 bytes.
+#if FLOAT_COLOR
+const uint WORDS = 2u;
+#else
+const uint WORDS = 1u;
+#endif
+
+uvec4 head_of(float z, uint id, vec4 color) {
+#if FLOAT_COLOR
+    return uvec4(floatBitsToUint(z), id, 0u, 0u);
+#else
+    return uvec4(floatBitsToUint(z), id, packHalf2x16(color.rg), packHalf2x16(color.ba));
+#endif
+}

@@ -1,0 +1,190 @@
+//! `onionskin complexity`: how many layers each pixel has.
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::{Args, ValueEnum};
+use onionskin::image::{FileKind, check_writable};
+use onionskin::methods::{Complexity, CountBy};
+use onionskin::report::{self, PlotKind};
+use onionskin::{Error, Result};
+use serde::Serialize;
+
+use super::output::{print_json, say};
+use super::setup::Setup;
+
+/// Count how many layers each pixel has, and print their histogram
+///
+/// Depth complexity is the number of transparent fragments of a pixel that no opaque surface hides. It says what a method
+/// will cost: peeling takes a pass for each layer of the deepest pixel, fragment lists take memory for every fragment.
+/// The picture is inverted as in Lindholm et al.: white has no fragment, black the most.
+#[derive(Args)]
+#[command(after_help = EXAMPLES)]
+pub(super) struct Complexities {
+    #[command(flatten)]
+    setup: Setup,
+    /// Where the picture of all pixels' complexities goes, .png or .exr
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+    /// Where the histogram's plot goes, .svg or .png; its axis of pixels is logarithmic
+    #[arg(long, value_name = "FILE")]
+    plot: Option<PathBuf>,
+    /// Where the histogram's numbers go, .csv
+    #[arg(long, value_name = "FILE")]
+    csv: Option<PathBuf>,
+    /// How many complexities are one bin of the histogram
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
+    bin: u32,
+    /// How fragments are counted; the result is the same, but for stencil, which ends at 255
+    #[arg(long, value_enum, default_value_t = By::Blending)]
+    by: By,
+    /// Print one JSON object and nothing else
+    #[arg(long)]
+    json: bool,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  onionskin complexity scene.toml
+  onionskin complexity model.obj -o layers.png --plot histogram.svg --csv histogram.csv
+  onionskin complexity scene.toml --bin 8 --json | jq .percentile_99";
+
+#[derive(Clone, Copy, ValueEnum)]
+enum By {
+    /// Additive blending into a 32-bit float
+    Blending,
+    /// One atomic counter a pixel, as the paper has it
+    Atomics,
+    /// The stencil buffer: 255 means 255 or more
+    Stencil,
+}
+
+#[derive(Serialize)]
+struct Record<'a> {
+    scene: &'a str,
+    pixels: usize,
+    covered: u64,
+    coverage: f64,
+    fragments: u64,
+    max: u32,
+    percentile_50: u32,
+    percentile_90: u32,
+    percentile_99: u32,
+    histogram: Vec<[u64; 3]>,
+}
+
+impl Complexities {
+    pub(super) fn run(self) -> Result<ExitCode> {
+        self.check_paths()?;
+        let scene = self.setup.scene()?;
+        let context = self.setup.gl.context()?;
+        let mut renderer = self.setup.renderer(&context, &scene)?;
+        let by = match self.by {
+            By::Blending => CountBy::Blending,
+            By::Atomics => CountBy::Atomics,
+            By::Stencil => CountBy::Stencil,
+        };
+        let complexity = renderer.complexity(&scene, by)?;
+        self.write(&scene.name, &complexity)?;
+        if self.json {
+            print_json(&self.record(&scene.name, &complexity))?;
+        } else {
+            say(self.text(&complexity))?;
+        }
+        Ok(ExitCode::SUCCESS)
+    }
+
+    /// Whatever can be wrong with them is said before anything long begins.
+    fn check_paths(&self) -> Result<()> {
+        if let Some(path) = &self.output {
+            FileKind::of(path)?;
+        }
+        if let Some(path) = &self.plot {
+            PlotKind::of(path)?;
+        }
+        if let Some(path) = &self.csv
+            && path.extension().is_none_or(|ending| ending != "csv")
+        {
+            return Err(Error::usage(
+                format!("{}: this is not the name of a table", path.display()),
+                "name it .csv",
+            ));
+        }
+        let paths = [&self.output, &self.plot, &self.csv];
+        paths
+            .into_iter()
+            .flatten()
+            .try_for_each(|path| check_writable(path))
+    }
+
+    fn write(&self, name: &str, complexity: &Complexity) -> Result<()> {
+        if let Some(path) = &self.output {
+            report::picture(complexity).save(path)?;
+        }
+        if let Some(path) = &self.plot {
+            report::plot(name, complexity, self.bin, PlotKind::of(path)?)?.save(path)?;
+        }
+        if let Some(path) = &self.csv {
+            report::save_text(path, &report::csv(complexity, self.bin))?;
+        }
+        Ok(())
+    }
+
+    fn record<'a>(&self, scene: &'a str, complexity: &Complexity) -> Record<'a> {
+        let bins = complexity.histogram(self.bin).into_iter();
+        Record {
+            scene,
+            pixels: complexity.counts.len(),
+            covered: complexity.covered(),
+            coverage: complexity.coverage(),
+            fragments: complexity.fragments(),
+            max: complexity.max(),
+            percentile_50: complexity.percentile(0.5),
+            percentile_90: complexity.percentile(0.9),
+            percentile_99: complexity.percentile(0.99),
+            histogram: bins
+                .map(|bin| [u64::from(bin.from), u64::from(bin.to), bin.pixels])
+                .collect(),
+        }
+    }
+
+    fn text(&self, complexity: &Complexity) -> String {
+        let mut text = format!(
+            "{:<16} {} of {} ({:.1}%)\n",
+            "covered pixels",
+            complexity.covered(),
+            complexity.counts.len(),
+            complexity.coverage() * 100.0
+        );
+        text += &format!("{:<16} {}\n", "fragments", complexity.fragments());
+        text += &format!(
+            "{:<16} {} at most; {} or less in 50%, {} in 90%, {} in 99% of the covered pixels\n",
+            "layers",
+            complexity.max(),
+            complexity.percentile(0.5),
+            complexity.percentile(0.9),
+            complexity.percentile(0.99)
+        );
+        text += "\nlayers      pixels\n";
+        let bins = complexity.histogram(self.bin);
+        let most = bins.iter().map(|bin| bin.pixels).max().unwrap_or(0);
+        for bin in bins.iter().filter(|bin| bin.pixels > 0) {
+            let range = if bin.from == bin.to {
+                bin.from.to_string()
+            } else {
+                format!("{}-{}", bin.from, bin.to)
+            };
+            let bar = bar(bin.pixels, most);
+            text += format!("{range:<9} {:>8} {bar}", bin.pixels).trim_end();
+            text.push('\n');
+        }
+        text.truncate(text.trim_end().len());
+        text
+    }
+}
+
+/// On a logarithmic scale, the longest 40 characters.
+fn bar(pixels: u64, most: u64) -> String {
+    let length = ((pixels + 1) as f64).ln() / ((most + 1) as f64).ln() * 40.0;
+    "#".repeat(length.round() as usize)
+}

@@ -1,0 +1,210 @@
+//! Horizontal bands: how much of the image is rendered at a time, so that the fragment lists fit.
+//!
+//! "Nothing lost" begins here: list memory is sized from an exact count of every pixel's fragments.
+
+use super::options::{ABufferOptions, Manager};
+use crate::error::{Error, Result};
+use crate::gl::GlMachine;
+
+/// Rows that are rendered together, and what their lists need.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Band {
+    /// The first row, from the bottom.
+    pub first_row: u32,
+    /// How many.
+    pub rows: u32,
+    /// The deepest pixel.
+    pub layers: u32,
+    /// Fragments in all.
+    pub fragments: u64,
+}
+
+impl Band {
+    /// How many records the lists have room for.
+    pub fn records(&self, manager: Manager, width: u32) -> u64 {
+        match manager {
+            Manager::Ffb => u64::from(self.layers) * u64::from(width) * u64::from(self.rows),
+            Manager::Dfb | Manager::Ppll => self.fragments,
+        }
+    }
+
+    /// Bytes of the lists: records, links, base offsets.
+    pub fn bytes(&self, options: &ABufferOptions, width: u32) -> u64 {
+        let offsets = match options.manager {
+            Manager::Dfb => GlMachine::scan_bytes(u64::from(width) * u64::from(self.rows)),
+            Manager::Ffb => 0,
+            // The pool's counter.
+            Manager::Ppll => 16,
+        };
+        self.records(options.manager, width) * options.record_bytes() + offsets
+    }
+
+    fn with(self, next: Self) -> Self {
+        Self {
+            first_row: self.first_row,
+            rows: self.rows + next.rows,
+            layers: self.layers.max(next.layers),
+            fragments: self.fragments + next.fragments,
+        }
+    }
+}
+
+/// What the lists may take: bytes in all, and records in one buffer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Room {
+    /// Bytes of all lists of a band together.
+    pub bytes: u64,
+    /// Records of a band.
+    pub records: u64,
+}
+
+/// Cuts an image into bands, as few as fit. `counts` are the pixels' complexities, row by row from the bottom.
+///
+/// # Errors
+/// If a single row does not fit.
+pub fn bands(
+    counts: &[u32],
+    width: u32,
+    options: &ABufferOptions,
+    room: Room,
+) -> Result<Vec<Band>> {
+    let fits = |band: &Band| {
+        band.bytes(options, width) <= room.bytes
+            && band.records(options.manager, width) <= room.records
+    };
+    let mut bands: Vec<Band> = Vec::new();
+    for (row, counts) in counts.chunks_exact(width as usize).enumerate() {
+        let row = Band {
+            first_row: row as u32,
+            rows: 1,
+            layers: counts.iter().copied().max().unwrap_or(0),
+            fragments: counts.iter().copied().map(u64::from).sum(),
+        };
+        if !fits(&row) {
+            return Err(too_large(&row, width, options, room));
+        }
+        match bands.last_mut() {
+            Some(band) if fits(&band.with(row)) => *band = band.with(row),
+            _ => bands.push(row),
+        }
+    }
+    Ok(bands)
+}
+
+fn too_large(row: &Band, width: u32, options: &ABufferOptions, room: Room) -> Error {
+    let what = format!(
+        "the fragment lists of one row of {width} pixels need {} records of {} bytes, {} bytes in all ({} fragments, {} \
+         in the deepest pixel); there is room for {} records and {} bytes",
+        row.records(options.manager, width),
+        options.record_bytes(),
+        row.bytes(options, width),
+        row.fragments,
+        row.layers,
+        room.records,
+        room.bytes,
+    );
+    let remedy = match options.manager {
+        Manager::Ffb => {
+            "give it a larger budget, or use dfb, which needs room only for what is there"
+        }
+        Manager::Dfb | Manager::Ppll => "give it a larger budget, or render a smaller image",
+    };
+    Error::usage(what, remedy)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const NO_LIMIT: Room = Room {
+        bytes: u64::MAX,
+        records: u64::MAX,
+    };
+
+    fn options(manager: Manager) -> ABufferOptions {
+        ABufferOptions {
+            manager,
+            ..ABufferOptions::DEFAULT
+        }
+    }
+
+    #[test]
+    fn without_a_limit_there_is_one_band() {
+        let counts = [1, 2, 3, 4, 5, 6];
+        let bands = bands(&counts, 2, &options(Manager::Ppll), NO_LIMIT).unwrap();
+        let whole = Band {
+            first_row: 0,
+            rows: 3,
+            layers: 6,
+            fragments: 21,
+        };
+        assert_eq!(bands, [whole]);
+    }
+
+    #[test]
+    fn l08_a_fixed_buffer_takes_records_for_the_deepest_pixel_everywhere() {
+        let band = bands(&[0, 0, 0, 7], 2, &options(Manager::Ffb), NO_LIMIT).unwrap()[0];
+        assert_eq!(band.bytes(&options(Manager::Ffb), 2), 7 * 4 * 16);
+        assert_eq!(band.records(Manager::Dfb, 2), 7);
+    }
+
+    /// Every cut of many random images: no row is missing or twice, every band fits, and none could take the next row.
+    #[test]
+    fn bands_fit_and_are_as_few_as_can_be() {
+        let mut state = 1_u32;
+        let mut random = move || {
+            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            state >> 16
+        };
+        for manager in [Manager::Ffb, Manager::Dfb, Manager::Ppll] {
+            let options = options(manager);
+            for _ in 0..200 {
+                let (width, rows) = (1 + random() % 7, 1 + random() % 9);
+                let counts: Vec<u32> = (0..width * rows).map(|_| random() % 5).collect();
+                let room = Room {
+                    bytes: 700 + u64::from(random() % 2000),
+                    records: u64::MAX,
+                };
+                let Ok(bands) = bands(&counts, width, &options, room) else {
+                    let row = 4 * u64::from(width) * options.record_bytes() + 200;
+                    assert!(row > room.bytes, "{manager:?} {width} {room:?}: refused");
+                    continue;
+                };
+                let mut next = 0;
+                for band in &bands {
+                    assert_eq!(band.first_row, next);
+                    assert!(band.bytes(&options, width) <= room.bytes);
+                    next += band.rows;
+                }
+                assert_eq!(next, rows);
+                let first_row_of = |band: &Band| {
+                    let first = (band.first_row * width) as usize;
+                    super::bands(
+                        &counts[first..first + width as usize],
+                        width,
+                        &options,
+                        NO_LIMIT,
+                    )
+                    .unwrap()[0]
+                };
+                for pair in bands.windows(2) {
+                    let longer = pair[0].with(first_row_of(&pair[1]));
+                    assert!(longer.bytes(&options, width) > room.bytes);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_row_that_does_not_fit_is_refused_with_the_numbers() {
+        let room = Room {
+            bytes: 100,
+            records: u64::MAX,
+        };
+        let refused = bands(&[0, 9], 2, &options(Manager::Ffb), room).unwrap_err();
+        let text = refused.to_string();
+        for part in ["288 bytes", "9 in the deepest pixel", "100 bytes", "dfb"] {
+            assert!(text.contains(part), "{part}: {text}");
+        }
+    }
+}

@@ -1,0 +1,63 @@
+//! A limit of llvmpipe's that a resolve has to stay within: all loops of a shader invocation together end after 65535
+//! iterations, silently (Mesa 22.3 to 25, `LP_MAX_TGSI_LOOP_ITERATIONS`). A pixel that ran into it would lose fragments.
+
+use crate::error::{Error, Result};
+
+/// Some are left for what is not counted here.
+const ITERATIONS: u64 = 60_000;
+/// Records that ppDP takes in one iteration (`pp_dp.glsl`).
+const STRIDE: u64 = 4;
+/// The largest array of ppDP.
+const LARGEST_PEEL: u32 = 64;
+/// In the worst order, insertion into a sorted array moves as many elements as the square of the complexity.
+const INSERTION: u32 = 200;
+
+/// The array that ppDP takes for a pixel of so many fragments: `peel`, or a larger one if the driver needs it.
+///
+/// # Errors
+/// If none is large enough.
+pub(super) fn peel_that_fits(renderer: &str, peel: u32, complexity: u32) -> Result<u32> {
+    if !is_limited(renderer) {
+        return Ok(peel);
+    }
+    let fits = |peel: u32| {
+        let (peel, complexity) = (u64::from(peel), u64::from(complexity));
+        let subpasses = complexity.div_ceil(peel);
+        // The list, and clearing and resolving the array.
+        subpasses * (complexity.div_ceil(STRIDE) + 2 * peel) <= ITERATIONS
+    };
+    let larger = [16, 32, LARGEST_PEEL].into_iter().filter(|&n| n > peel);
+    std::iter::once(peel)
+        .chain(larger)
+        .find(|&peel| fits(peel))
+        .ok_or_else(|| Error::Driver {
+            what: format!(
+                "a pixel has {complexity} fragments, and this driver ({renderer}) ends a shader's loops after 65535 \
+                 iterations"
+            ),
+            remedy: "peel its layers instead (-m depth-peeling), or render on another driver"
+                .into(),
+        })
+}
+
+/// Whether ppDP may insert with a loop.
+pub(super) fn insertion_fits(renderer: &str, complexity: u32) -> bool {
+    !is_limited(renderer) || complexity <= INSERTION
+}
+
+fn is_limited(renderer: &str) -> bool {
+    renderer.contains("llvmpipe")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_array_grows_only_where_the_driver_needs_it() {
+        let peel = |complexity| peel_that_fits("llvmpipe (LLVM 15)", 8, complexity).unwrap();
+        assert_eq!([8, 300, 1000, 2000, 3500].map(peel), [8, 8, 8, 32, 64]);
+        assert_eq!(peel_that_fits("a GPU", 8, 1_000_000).unwrap(), 8);
+        assert!(peel_that_fits("llvmpipe", 8, 10_000).is_err());
+    }
+}

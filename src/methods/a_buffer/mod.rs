@@ -1,0 +1,275 @@
+//! A-buffers (Lindholm et al. 2015): every fragment is kept, in a list for each pixel; then each list is sorted in a
+//! Local Array and composited.
+//!
+//! Three steps (figure 3): clear, fill, resolve. Lists live in global memory, managed in one of three ways
+//! ([`Manager`]); Local Arrays are a shader's private memory, static or managed by the paper's two components, ppAO and
+//! ppDP. Fragments of equal depth are composited in the order of submission, with every manager and every fill: a record's
+//! id is its triangle's place in that order.
+//!
+//! What is not in the image: with a static array, and with ppAO alone, what lies past N in a list; with early ray
+//! termination, what lies behind the point where the ray ended; as printed, ties across ppDP's subpasses. All of it is
+//! counted.
+//!
+//! Excludes: volumes; multisampling.
+
+mod bands;
+mod loops;
+mod options;
+
+pub use bands::{Band, Room, bands};
+pub use options::{ABufferOptions, FEW, Fill, LARGEST_NETWORK, Manager, RecordColor, Sort};
+
+use options::SMALLEST_SEGMENT;
+
+use super::renderer::IMAGE;
+use super::{Algorithm, Composited, Drawn};
+use crate::error::{Error, Result};
+use crate::gl::{Format, GlMachine, Texels, largest_storage};
+use crate::papers::lindholm_2015 as paper;
+use crate::papers::vtk;
+use crate::scene::Scene;
+use crate::steps::{Machine, Reason, Storage, Variables, run};
+
+/// What an A-buffer has cost; none of it depends on the machine.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct ABufferCounts {
+    /// Bands the image was rendered in.
+    pub bands: u32,
+    /// Bytes of the lists: records, links, base offsets, for the largest band.
+    pub list_bytes: u64,
+    /// Records read from the lists.
+    pub records_read: u64,
+    /// Subpasses of all pixels: how often a list was walked.
+    pub subpasses: u64,
+    /// The most subpasses of a pixel.
+    pub most_subpasses: u32,
+    /// Elements of Local Arrays, all pixels together (figure 5).
+    pub slots_reserved: u64,
+    /// How many of them held a fragment at some time; the others are figure 5's grey areas.
+    pub slots_used: u64,
+    /// Pixels that lost fragments.
+    pub truncated_pixels: u64,
+    /// Pixels that ppAO's segments have resolved, each time counted; 0 without ppAO.
+    pub resolved: u64,
+}
+
+pub(super) struct ABuffer {
+    pub(super) options: ABufferOptions,
+    counts: ABufferCounts,
+    /// Every pixel's complexity, row by row from the bottom.
+    complexity: Vec<u32>,
+}
+
+/// Buffers that a listing binds whether the manager has them or not.
+const UNUSED: [Storage; 3] = [paper::NEXT, paper::OFFSETS, paper::POOL];
+
+impl ABuffer {
+    pub(super) fn new(options: ABufferOptions) -> Self {
+        Self {
+            options,
+            counts: ABufferCounts::default(),
+            complexity: Vec::new(),
+        }
+    }
+
+    fn ordered(&self, machine: &GlMachine<'_>) -> bool {
+        self.options.fill != Fill::Atomics
+            && machine
+                .context()
+                .driver()
+                .has("GL_EXT_shader_framebuffer_fetch")
+    }
+
+    fn room(&self, machine: &GlMachine<'_>) -> Room {
+        let words = match self.options.color {
+            RecordColor::Half => 16,
+            RecordColor::Float => 32,
+        };
+        let largest = largest_storage(machine.context(), Texels::Rgba32Ui) / words;
+        let links = largest_storage(machine.context(), Texels::R32Ui) / 4;
+        Room {
+            bytes: self.options.budget.unwrap_or(u64::MAX),
+            records: largest.min(links),
+        }
+    }
+
+    /// What the shaders are compiled with.
+    fn constants(&self, insertion: bool) -> Vec<(&'static str, u32)> {
+        let options = &self.options;
+        let yes = u32::from;
+        vec![
+            ("FFB", Manager::Ffb as u32),
+            ("DFB", Manager::Dfb as u32),
+            ("PPLL", Manager::Ppll as u32),
+            ("MANAGER", options.manager as u32),
+            ("FLOAT_COLOR", yes(options.color == RecordColor::Float)),
+            ("TERMINATION", options.termination.to_bits()),
+            ("AS_PRINTED", yes(options.as_printed)),
+            ("PEEL_ALWAYS", yes(options.pp_dp && !options.pp_ao)),
+            ("PP_DP", yes(options.pp_dp)),
+            ("FIRST_SEGMENT", SMALLEST_SEGMENT),
+            ("LAST_SEGMENT", options.array),
+            ("SORT_BY_INSERTION", yes(insertion)),
+            ("LARGEST_NETWORK", LARGEST_NETWORK),
+        ]
+    }
+}
+
+impl Algorithm for ABuffer {
+    fn prepare(&mut self, machine: &mut GlMachine<'_>, _: &Scene) -> Result<()> {
+        self.options.check()?;
+        if self.options.fill == Fill::Ordered && !self.ordered(machine) {
+            return Err(Error::Driver {
+                what: "this driver has no GL_EXT_shader_framebuffer_fetch".into(),
+                remedy: "fill with atomics".into(),
+            });
+        }
+        machine.allocate(paper::COMPLEXITY, Format::R32F)?;
+        machine.allocate(paper::COUNTER, Format::R32Ui)?;
+        machine.allocate(paper::ANCHOR, Format::R32Ui)?;
+        machine.allocate(paper::COST, Format::Rgba32Ui)?;
+        let depth = vtk::OPAQUE_DEPTH;
+        machine.target_of(paper::COUNT, &[paper::COMPLEXITY], Some(depth))?;
+        let lists = [paper::COUNTER, paper::ANCHOR];
+        machine.target_of(paper::CLEARED, &lists, Some(depth))?;
+        let inouts: &[_] = if self.ordered(machine) { &lists } else { &[] };
+        machine.target_of(paper::FILL, inouts, Some(depth))?;
+        machine.target_of(paper::RESOLVED, &[IMAGE, paper::COST], Some(depth))
+    }
+
+    fn draw(&mut self, machine: &mut GlMachine<'_>, _: &Scene) -> Result<Drawn> {
+        run(&vtk::OPAQUE_FIRST, &[], Variables::new(), machine)?;
+        run(&paper::COUNT_BY_BLENDING, &[], Variables::new(), machine)?;
+        self.complexity = machine.read_counts(paper::COMPLEXITY)?;
+        let width = machine.size()[0];
+        let bands = bands(&self.complexity, width, &self.options, self.room(machine))?;
+        run(&paper::CLEAR_COST, &[], Variables::new(), machine)?;
+        self.counts = ABufferCounts {
+            bands: bands.len() as u32,
+            list_bytes: bands
+                .iter()
+                .map(|band| band.bytes(&self.options, width))
+                .max()
+                .unwrap_or(0),
+            ..ABufferCounts::default()
+        };
+        for band in bands.iter().filter(|band| band.fragments > 0) {
+            self.draw_band(machine, band)?;
+        }
+        machine.set_band(None);
+        Ok(Drawn {
+            iterations: 1,
+            ..Drawn::default()
+        })
+    }
+
+    fn account(&mut self, machine: &mut GlMachine<'_>, drawn: &mut Drawn) -> Result<()> {
+        let mut composited = 0;
+        let counts = &mut self.counts;
+        let costs = machine.read_integers(paper::COST)?;
+        for (&[read, seen, subpasses, slots], &complexity) in costs.iter().zip(&self.complexity) {
+            counts.records_read += u64::from(read);
+            counts.subpasses += u64::from(subpasses);
+            counts.most_subpasses = counts.most_subpasses.max(subpasses);
+            counts.slots_reserved += u64::from(slots >> 16);
+            counts.slots_used += u64::from(slots & 0xFFFF);
+            counts.truncated_pixels += u64::from(seen < complexity);
+            composited += u64::from(seen);
+        }
+        drawn.composited = Composited::Some(composited);
+        if counts.truncated_pixels > 0 {
+            drawn.stopped = Some(if self.options.termination > 0.0 {
+                Reason::EarlyTermination
+            } else {
+                Reason::ArrayFull
+            });
+        }
+        drawn.a_buffer = Some(*counts);
+        Ok(())
+    }
+}
+
+impl ABuffer {
+    fn draw_band(&mut self, machine: &mut GlMachine<'_>, band: &Band) -> Result<()> {
+        let width = machine.size()[0];
+        let options = &self.options;
+        let records = band.records(options.manager, width);
+        machine.set_band(Some([band.first_row, band.rows]));
+        machine.set_parameters([band.first_row, width, band.layers, records as u32])?;
+        let words = match options.color {
+            RecordColor::Half => 16,
+            RecordColor::Float => 32,
+        };
+        machine.allocate_storage(paper::RECORDS, records * words, Some(Texels::Rgba32Ui))?;
+        for storage in UNUSED {
+            machine.allocate_storage(storage, 16, None)?;
+        }
+        match options.manager {
+            Manager::Ffb => {}
+            Manager::Dfb => machine.prefix_scan(paper::COMPLEXITY, paper::OFFSETS)?,
+            Manager::Ppll => {
+                machine.allocate_storage(paper::NEXT, records * 4, Some(Texels::R32Ui))?;
+                machine.clear_storage(paper::POOL)?;
+                machine.bind_texels(4, paper::NEXT)?;
+            }
+        }
+        machine.bind_texels(3, paper::RECORDS)?;
+        let renderer = &machine.context().driver().renderer;
+        let insertion = match options.sort {
+            Sort::Automatic => self.complexity.iter().all(|&count| count <= FEW),
+            Sort::Network => false,
+            Sort::Insertion => true,
+        };
+        let insertion =
+            insertion && (!options.pp_dp || loops::insertion_fits(renderer, band.layers));
+        machine.set_constants(&self.constants(insertion));
+        let mut fill = Vec::new();
+        if self.ordered(machine) {
+            fill.push(paper::ORDERED);
+        }
+        if options.as_printed && options.pp_ao {
+            fill.push(paper::COUNT_WHILE_FILLING);
+        }
+        run(&paper::CLEAR_AND_FILL, &fill, Variables::new(), machine)?;
+        self.resolve(machine, band.layers)
+    }
+
+    /// Resolves a band whose deepest pixel has `layers` fragments.
+    fn resolve(&mut self, machine: &mut GlMachine<'_>, layers: u32) -> Result<()> {
+        let options = &self.options;
+        let renderer = &machine.context().driver().renderer;
+        let mut peel = options.peel;
+        if options.pp_dp {
+            peel = loops::peel_that_fits(renderer, peel, layers)?;
+            if options.pp_ao {
+                // The last segment peels with the largest array there is.
+                loops::peel_that_fits(renderer, options.array, layers)?;
+            }
+        }
+        let variables = Variables::new();
+        if !options.pp_ao {
+            let size = if options.pp_dp { peel } else { options.array };
+            run(
+                &paper::RESOLVE,
+                &[],
+                variables.with("N", f64::from(size)),
+                machine,
+            )?;
+            return Ok(());
+        }
+        let amendments: &[_] = if options.as_printed {
+            &[]
+        } else {
+            &[paper::BY_COUNTER, paper::NO_STENCIL]
+        };
+        let segments = options.segments().count() as f64;
+        run(
+            &paper::PP_AO,
+            amendments,
+            variables.with("num_segments", segments),
+            machine,
+        )?;
+        self.counts.resolved += machine.samples(paper::COVERED)?;
+        Ok(())
+    }
+}

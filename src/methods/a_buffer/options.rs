@@ -1,0 +1,193 @@
+//! What can be chosen about an A-buffer.
+
+use crate::error::{Error, Result};
+
+/// How the global memory of the fragment lists is managed (section 4, figure 4).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Manager {
+    /// Fixed Fragment Buffer: every pixel has room for as many records as the deepest pixel needs.
+    Ffb,
+    /// Dynamic Fragment Buffer: every pixel has the room that it needs, at a base offset that a prefix scan finds.
+    Dfb,
+    /// Per-Pixel Linked Lists in one pool of nodes.
+    #[default]
+    Ppll,
+}
+
+/// How a Local Array is sorted. The result is the same.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Sort {
+    /// By insertion where no pixel has more than [`FEW`] fragments, otherwise by network.
+    #[default]
+    Automatic,
+    /// Comparisons that are fixed beforehand, written out with constant indices: Batcher's network, and in ppDP an
+    /// insertion that looks at every element. Arrays over [`LARGEST_NETWORK`] are sorted by insertion.
+    Network,
+    /// Insertion sort, as the paper has it.
+    Insertion,
+}
+
+/// So few fragments are sorted by insertion in less time than a network takes, whose size is the array's; and a network's
+/// shader takes a second or two to compile.
+pub const FEW: u32 = 16;
+
+/// The largest array that a network sorts; larger ones take the driver too long to compile.
+pub const LARGEST_NETWORK: u32 = 128;
+
+/// How fragments find their places in the lists.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Fill {
+    /// Framebuffer fetch where the driver has it, otherwise atomics.
+    #[default]
+    Automatic,
+    /// Image atomics, as the paper has it.
+    Atomics,
+    /// `GL_EXT_shader_framebuffer_fetch`: a pixel's fragments take their turns.
+    Ordered,
+}
+
+/// How a record keeps its colour.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum RecordColor {
+    /// Four 16-bit floats, as the paper has it: records of 16 bytes.
+    #[default]
+    Half,
+    /// Four 32-bit floats: records of 32 bytes.
+    Float,
+}
+
+/// What can be chosen about an A-buffer.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ABufferOptions {
+    /// Global memory.
+    pub manager: Manager,
+    /// per-pixel Array Optimization: a program for each complexity segment 8, 16, 32 ... `array`.
+    pub pp_ao: bool,
+    /// per-pixel Depth Peeling: what does not fit into the Local Array is taken in another subpass. With ppAO it is the
+    /// last segment that has them, with an array of `array`; without, every pixel, with an array of `peel`.
+    pub pp_dp: bool,
+    /// N: how many fragments the static Local Array has room for, and ppAO's last segment. 1 to 256; a power of two, and
+    /// at least 8 with ppAO. 64 is "a number often reported in the literature".
+    pub array: u32,
+    /// n: the Local Array of ppDP, 1 to 64. The paper finds 8 the fastest.
+    pub peel: u32,
+    /// How Local Arrays are sorted.
+    pub sort: Sort,
+    /// How lists are filled.
+    pub fill: Fill,
+    /// How records keep colours.
+    pub color: RecordColor,
+    /// A ray ends when less light than this comes through, 0 to 1. 0, the default, is exact; the paper has 0.02.
+    pub termination: f32,
+    /// The most bytes that fragment lists may take; the driver's limits if it is none. What does not fit is rendered in
+    /// horizontal bands.
+    pub budget: Option<u64>,
+    /// ppAO masked by the stencil buffer and ppDP by depth alone, with nothing amended.
+    pub as_printed: bool,
+}
+
+impl ABufferOptions {
+    /// The defaults, in a form that constants can be made of.
+    pub const DEFAULT: Self = Self {
+        manager: Manager::Ppll,
+        pp_ao: false,
+        pp_dp: false,
+        array: 64,
+        peel: 8,
+        sort: Sort::Automatic,
+        fill: Fill::Automatic,
+        color: RecordColor::Half,
+        termination: 0.0,
+        budget: None,
+        as_printed: false,
+    };
+
+    /// The method's name in the registry.
+    pub const fn name(&self) -> &'static str {
+        match (self.manager, self.pp_ao, self.pp_dp) {
+            (Manager::Ffb, false, false) => "ffb",
+            (Manager::Ffb, true, false) => "ffb+ppao",
+            (Manager::Ffb, false, true) => "ffb+ppdp",
+            (Manager::Ffb, true, true) => "ffb+ppao+ppdp",
+            (Manager::Dfb, false, false) => "dfb",
+            (Manager::Dfb, true, false) => "dfb+ppao",
+            (Manager::Dfb, false, true) => "dfb+ppdp",
+            (Manager::Dfb, true, true) => "dfb+ppao+ppdp",
+            (Manager::Ppll, false, false) => "ppll",
+            (Manager::Ppll, true, false) => "ppll+ppao",
+            (Manager::Ppll, false, true) => "ppll+ppdp",
+            (Manager::Ppll, true, true) => "ppll+ppao+ppdp",
+        }
+    }
+
+    /// Bytes of a record with what links it to the next.
+    pub fn record_bytes(&self) -> u64 {
+        let record = match self.color {
+            RecordColor::Half => 16,
+            RecordColor::Float => 32,
+        };
+        match self.manager {
+            Manager::Ppll => record + 4,
+            Manager::Ffb | Manager::Dfb => record,
+        }
+    }
+
+    /// The sizes of ppAO's segments: 8, 16, 32 ... `array`.
+    pub fn segments(&self) -> impl Iterator<Item = u32> + use<> {
+        let last = self.array;
+        std::iter::successors(Some(SMALLEST_SEGMENT), |size| Some(size * 2))
+            .take_while(move |&size| size <= last)
+    }
+
+    /// Whether a frame can be rendered with them. It is asked before each frame; asking earlier says earlier what is
+    /// wrong.
+    ///
+    /// # Errors
+    /// If a number is out of its range.
+    pub fn check(&self) -> Result<()> {
+        let array = self.array;
+        if !(1..=256).contains(&array) || !array.is_power_of_two() {
+            return Err(Error::usage(
+                format!("a local array of {array} fragments is not to be had"),
+                "choose 1, 2, 4, 8 ... 256; 64 is usual, and ppDP takes what is deeper",
+            ));
+        }
+        if self.pp_ao && array < SMALLEST_SEGMENT {
+            return Err(Error::usage(
+                format!("ppAO's last segment cannot be {array}: its first is {SMALLEST_SEGMENT}"),
+                "choose an array of 8, 16, 32 ...",
+            ));
+        }
+        if !(1..=64).contains(&self.peel) {
+            return Err(Error::usage(
+                format!("ppDP cannot peel {} fragments at a time", self.peel),
+                "choose 1 to 64; 8 is usual",
+            ));
+        }
+        if !(0.0..=1.0).contains(&self.termination) {
+            return Err(Error::usage(
+                format!(
+                    "the transparency {} at which a ray ends is not between 0 and 1",
+                    self.termination
+                ),
+                "0 is exact; 0.02 is the paper's",
+            ));
+        }
+        if self.budget == Some(0) {
+            return Err(Error::usage(
+                "no fragment fits into a budget of 0 bytes",
+                "leave the budget out, or give it some megabytes",
+            ));
+        }
+        Ok(())
+    }
+}
+
+/// ppAO's first segment.
+pub(super) const SMALLEST_SEGMENT: u32 = 8;
+
+impl Default for ABufferOptions {
+    fn default() -> Self {
+        Self::DEFAULT
+    }
+}

@@ -1,0 +1,184 @@
+//! Depth complexity: how many fragments each pixel has, and their histogram (Lindholm et al. 2015, section 3.1).
+
+use super::renderer::Renderer;
+use crate::error::Result;
+use crate::gl::Format;
+use crate::papers::lindholm_2015 as paper;
+use crate::papers::vtk;
+use crate::scene::Scene;
+use crate::steps::{Variables, run};
+
+/// How fragments are counted. On llvmpipe the fixed function is over ten times as fast as atomics.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum CountBy {
+    /// Additive blending into a 32-bit float: exact up to 2^24.
+    #[default]
+    Blending,
+    /// One atomic counter a pixel, as the paper has it.
+    Atomics,
+    /// The stencil buffer: 255 means 255 or more.
+    Stencil,
+}
+
+/// The depth complexity image: for each pixel the number of transparent fragments before the opaque surfaces.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Complexity {
+    /// Pixels per row.
+    pub width: u32,
+    /// Rows.
+    pub height: u32,
+    /// Row by row from the top.
+    pub counts: Vec<u32>,
+}
+
+/// A bin of a histogram.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Bin {
+    /// The lowest complexity in it.
+    pub from: u32,
+    /// The highest.
+    pub to: u32,
+    /// Pixels whose complexity falls within that range.
+    pub pixels: u64,
+}
+
+impl Complexity {
+    /// The highest complexity of all pixels.
+    pub fn max(&self) -> u32 {
+        self.counts.iter().copied().max().unwrap_or(0)
+    }
+
+    /// All fragments.
+    pub fn fragments(&self) -> u64 {
+        self.counts.iter().map(|&count| u64::from(count)).sum()
+    }
+
+    /// Pixels with any fragment.
+    pub fn covered(&self) -> u64 {
+        self.counts.iter().filter(|&&count| count > 0).count() as u64
+    }
+
+    /// The part of the image that has any fragment, 0 to 1.
+    pub fn coverage(&self) -> f64 {
+        self.covered() as f64 / (self.counts.len().max(1)) as f64
+    }
+
+    /// The smallest complexity that `part` of the covered pixels do not exceed, `part` from 0 to 1 (nearest rank); 0 if
+    /// none is covered.
+    pub fn percentile(&self, part: f64) -> u32 {
+        let mut covered: Vec<u32> = self.counts.iter().copied().filter(|&c| c > 0).collect();
+        covered.sort_unstable();
+        let rank = (part.clamp(0.0, 1.0) * covered.len() as f64).ceil() as usize;
+        covered.get(rank.max(1) - 1).copied().unwrap_or(0)
+    }
+
+    /// The part of the covered pixels with a complexity of at most `limit`, 0 to 1; 1 if none is covered.
+    pub fn part_up_to(&self, limit: u32) -> f64 {
+        let within = self.counts.iter().filter(|&&c| c > 0 && c <= limit).count() as f64;
+        match self.covered() {
+            0 => 1.0,
+            covered => within / covered as f64,
+        }
+    }
+
+    /// The depth complexity histogram: bin `k` holds the complexities from `k * bin` to `(k + 1) * bin - 1`; the last is
+    /// the maximum's. With `bin` 1 there is a bin for every complexity. 0 is taken as 1.
+    pub fn histogram(&self, bin: u32) -> Vec<Bin> {
+        let bin = bin.max(1);
+        let mut bins: Vec<Bin> = (0..=self.max() / bin)
+            .map(|k| Bin {
+                from: k * bin,
+                to: k * bin + (bin - 1),
+                pixels: 0,
+            })
+            .collect();
+        for count in &self.counts {
+            bins[(count / bin) as usize].pixels += 1;
+        }
+        bins
+    }
+}
+
+impl Renderer<'_> {
+    /// Counts every pixel's transparent fragments.
+    ///
+    /// # Errors
+    /// What the driver cannot do.
+    pub fn complexity(&mut self, scene: &Scene, by: CountBy) -> Result<Complexity> {
+        self.set_up(scene)?;
+        self.begin(scene)?;
+        let machine = &mut self.machine;
+        run(&vtk::OPAQUE_FIRST, &[], Variables::new(), machine)?;
+        let (format, listing) = match by {
+            CountBy::Blending => (Format::R32F, paper::COUNT_BY_BLENDING),
+            CountBy::Atomics => (Format::R32Ui, paper::COMPLEXITY_IMAGE),
+            CountBy::Stencil => (Format::R32F, paper::COUNT_BY_STENCIL),
+        };
+        machine.allocate(paper::COMPLEXITY, format)?;
+        machine.target_of(paper::COUNT, &[paper::COMPLEXITY], Some(vtk::OPAQUE_DEPTH))?;
+        run(&listing, &[], Variables::new(), machine)?;
+        let map = match by {
+            CountBy::Stencil => vtk::OPAQUE_DEPTH,
+            CountBy::Blending | CountBy::Atomics => paper::COMPLEXITY,
+        };
+        let [width, height] = machine.size();
+        let bottom_up = machine.read_counts(map)?;
+        let rows = bottom_up.chunks_exact(width as usize).rev();
+        Ok(Complexity {
+            width,
+            height,
+            counts: rows.flatten().copied().collect(),
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn complexity(counts: &[u32]) -> Complexity {
+        Complexity {
+            width: counts.len() as u32,
+            height: 1,
+            counts: counts.to_vec(),
+        }
+    }
+
+    #[test]
+    fn l01_a_histogram_counts_every_pixel_once() {
+        let complexity = complexity(&[0, 1, 1, 2, 7, 8, 9]);
+        let pixels = |bin| -> Vec<u64> {
+            complexity
+                .histogram(bin)
+                .iter()
+                .map(|bin| bin.pixels)
+                .collect()
+        };
+        assert_eq!(pixels(1), [1, 2, 1, 0, 0, 0, 0, 1, 1, 1]);
+        assert_eq!(pixels(4), [4, 1, 2]);
+        assert_eq!(pixels(100), [7]);
+        let last = complexity.histogram(4)[2];
+        assert_eq!((last.from, last.to), (8, 11));
+    }
+
+    #[test]
+    fn percentiles_are_exact_and_of_covered_pixels() {
+        let counts: Vec<u32> = (0..=100).collect();
+        let complexity = complexity(&counts);
+        let at = |part| complexity.percentile(part);
+        assert_eq!(
+            [at(0.0), at(0.01), at(0.5), at(0.995), at(1.0)],
+            [1, 1, 50, 100, 100]
+        );
+        assert_eq!(complexity.part_up_to(25), 0.25);
+        assert_eq!((complexity.covered(), complexity.max()), (100, 100));
+    }
+
+    #[test]
+    fn an_empty_image_has_a_histogram_too() {
+        let complexity = complexity(&[0, 0]);
+        assert_eq!(complexity.percentile(0.5), 0);
+        assert_eq!(complexity.part_up_to(8), 1.0);
+        assert_eq!(complexity.histogram(1)[0].pixels, 2);
+    }
+}

@@ -1,0 +1,270 @@
+//! Lindholm, Falk, Sundén, Ynnerman, Ropinski, *Hybrid Data Visualization Based on Depth Complexity Histogram
+//! Analysis*, Computer Graphics Forum 34(1), 2015.
+//!
+//! The paper gives the A-buffer as a figure of three steps (figure 3), ppAO and ppDP as pseudocode (section 5), and the
+//! masking of ppAO as a paragraph (section 6.2). What runs on the CPU stands here as listings; ppDP runs inside of a
+//! shader, `glsl/a_buffer/pp_dp.glsl`, whose lines are the pseudocode's.
+
+use crate::steps;
+use crate::steps::{Amendment, Dialect, Listing, Map, Query, Shader, Storage, Target, gl::*};
+
+/// The depth complexity image: "all geometries are rendered into an integer image; the pixels of this image act as atomic
+/// counters". Shading and blending are disabled.
+pub const COMPLEXITY_IMAGE: Listing = Listing {
+    title: "The depth complexity image, by one atomic counter a pixel",
+    source: "Lindholm et al. 2015, section 3.1",
+    dialect: Dialect::Calls,
+    steps: steps! {
+        glBindFramebuffer(COUNT);
+        glClearBufferuiv(0);
+        glColorMask(false, false, false, false);
+        glDepthMask(false);
+        glDisable(BLEND);
+        glBindImageTexture(0, COMPLEXITY);
+        glUseProgram(COUNT_ATOMICALLY);
+        drawTransparentObjects();
+        glMemoryBarrier();
+        glColorMask(true, true, true, true);
+        glDepthMask(true);
+    },
+};
+
+/// The same count by the fixed function: each fragment adds 1.
+pub const COUNT_BY_BLENDING: Listing = Listing {
+    title: "The depth complexity image, by additive blending",
+    source: "onionskin",
+    dialect: Dialect::Calls,
+    steps: steps! {
+        glBindFramebuffer(COUNT);
+        glClearColor(0.0, 0.0, 0.0, 0.0);
+        glClear(COLOR_BUFFER_BIT);
+        glDepthMask(false);
+        glEnable(BLEND);
+        glBlendFunc(ONE, ONE);
+        glUseProgram(COUNT_ONE);
+        drawTransparentObjects();
+        glDisable(BLEND);
+        glDepthMask(true);
+    },
+};
+
+/// The same count by the stencil buffer: at most 255.
+pub const COUNT_BY_STENCIL: Listing = Listing {
+    title: "The depth complexity image, by the stencil buffer",
+    source: "Lindholm et al. 2015, section 6.2",
+    dialect: Dialect::Calls,
+    steps: steps! {
+        glBindFramebuffer(COUNT);
+        glClearStencil(0);
+        glClear(STENCIL_BUFFER_BIT);
+        glColorMask(false, false, false, false);
+        glDepthMask(false);
+        glEnable(STENCIL_TEST);
+        glStencilFunc(ALWAYS, 0, 0xFF);
+        glStencilOp(KEEP, KEEP, INCR);
+        glUseProgram(COUNT_ONE);
+        drawTransparentObjects();
+        glDisable(STENCIL_TEST);
+        glColorMask(true, true, true, true);
+        glDepthMask(true);
+    },
+};
+
+/// Nothing has been resolved yet.
+pub const CLEAR_COST: Listing = Listing {
+    title: "What the Resolve Step has cost so far",
+    source: "onionskin",
+    dialect: Dialect::Calls,
+    steps: steps! {
+        glBindFramebuffer(RESOLVED);
+        glClearBufferuiv(1);
+    },
+};
+
+/// The A-buffer's first two steps (figure 3).
+pub const CLEAR_AND_FILL: Listing = Listing {
+    title: "Clear Step and Fill Step",
+    source: "Lindholm et al. 2015, figure 3",
+    dialect: Dialect::Calls,
+    steps: steps! {
+        // Clear Step
+        glBindFramebuffer(CLEARED);
+        glClearBufferuiv(0);
+        glClearBufferuiv(1);
+        // Fill Step: fill fragment list
+        glBindFramebuffer(FILL);
+        glDepthMask(false);
+        glBindImageTexture(0, COUNTER);
+        glBindImageTexture(1, ANCHOR);
+        glBindStorageBuffer(0, RECORDS);
+        glBindStorageBuffer(1, NEXT);
+        glBindStorageBuffer(2, OFFSETS);
+        glBindStorageBuffer(3, POOL);
+        glEnable(DEPTH_TEST);
+        glDepthFunc(LESS);
+        glColorMask(false, false, false, false);
+        glUseProgram(FILL_ATOMICALLY);
+        drawTransparentObjects();
+        glMemoryBarrier();
+        glColorMask(true, true, true, true);
+    },
+};
+
+/// With framebuffer fetch the counters are colours of the framebuffer, and fragments take their turns.
+pub const ORDERED: Amendment = Amendment {
+    key: "L04",
+    place: "figure 3, Fill Step",
+    printed: steps! {
+        glColorMask(false, false, false, false);
+        glUseProgram(FILL_ATOMICALLY);
+    },
+    amended: steps! { glUseProgram(FILL_IN_ORDER); },
+    why: "ordered fragments need no atomics",
+    test: "l04_every_manager_and_fill_gives_the_oracle_s_image",
+};
+
+/// The Resolve Step with one program for all pixels.
+pub const RESOLVE: Listing = Listing {
+    title: "Resolve Step with a Local Array of N",
+    source: "Lindholm et al. 2015, figure 3",
+    dialect: Dialect::Calls,
+    steps: steps! {
+        run BEFORE_RESOLVE;
+        glUseProgramOfSize(RESOLVE_ALL, "N");
+        drawScreen();
+        run AFTER_RESOLVE;
+    },
+};
+
+/// ppAO (section 5.1), masked by the stencil buffer as section 6.2 has it: "different segments are triggered by modifying
+/// the OpenGL stencil function". What marks a pixel as resolved is not said; of what the stencil buffer can do INVERT
+/// goes furthest.
+pub const PP_AO: Listing = Listing {
+    title: "per-pixel Array Optimization: a resolve program for each complexity segment",
+    source: "Lindholm et al. 2015, sections 5.1 and 6.2",
+    dialect: Dialect::Calls,
+    steps: steps! {
+        run BEFORE_RESOLVE;
+        glEnable(STENCIL_TEST);
+        glStencilOp(KEEP, KEEP, INVERT);
+        glBeginQuery(COVERED);
+        i = 8;
+        for (segment in 0..num_segments) {
+            glUseProgramOfSize(RESOLVE_ALL, "i");
+            glStencilReference(GEQUAL, "i", 0xFF);
+            drawScreen();
+            i = i * 2;
+        }
+        glEndQuery(COVERED);
+        glDisable(STENCIL_TEST);
+        run AFTER_RESOLVE;
+    },
+};
+
+/// To [`CLEAR_AND_FILL`], for ppAO as printed: "the counting can be combined with the scene rasterization in the Fill
+/// Step". Eight bits count to 255.
+pub const COUNT_WHILE_FILLING: Amendment = Amendment {
+    key: "L10",
+    place: "section 5.1, Fill Step",
+    printed: steps! { drawTransparentObjects(); },
+    amended: steps! {
+        glClearStencil(0);
+        glClear(STENCIL_BUFFER_BIT);
+        glEnable(STENCIL_TEST);
+        glStencilFunc(ALWAYS, 0, 0xFF);
+        glStencilOp(KEEP, KEEP, INCR);
+        drawTransparentObjects();
+        glDisable(STENCIL_TEST);
+    },
+    why: "the stencil buffer counts along",
+    test: "l10_the_fill_counts_and_no_geometry_pass_is_added",
+};
+
+/// To [`PP_AO`]: errata L5 to L7. A pixel belongs to one segment by its own count, which needs no mark and has 32 bits;
+/// the last segment takes every pixel that is left.
+pub const BY_COUNTER: Amendment = Amendment {
+    key: "L5, L6, L7",
+    place: "section 5.1, if depth complexity(p) <= i",
+    printed: steps! {
+        glUseProgramOfSize(RESOLVE_ALL, "i");
+        glStencilReference(GEQUAL, "i", 0xFF);
+    },
+    amended: steps! { glUseProgramOfSize(RESOLVE_SEGMENT, "i"); },
+    why: "an integer counter is compared, previous segment < count <= i; the last segment takes all that are left",
+    test: "l11_as_printed_the_stencil_loses_what_lies_past_the_last_segment",
+};
+
+/// Goes with [`BY_COUNTER`].
+pub const NO_STENCIL: Amendment = Amendment {
+    key: "L7",
+    place: "section 6.2, stencil masking",
+    printed: steps! {
+        glEnable(STENCIL_TEST);
+        glStencilOp(KEEP, KEEP, INVERT);
+    },
+    amended: steps! {},
+    why: "no pixel is in two segments, so none has to be marked",
+    test: "l07_as_printed_pixels_are_resolved_twice",
+};
+
+const BEFORE_RESOLVE: Listing = Listing {
+    title: "What the Resolve Step reads and writes",
+    source: "Lindholm et al. 2015, figure 3",
+    dialect: Dialect::Calls,
+    steps: steps! {
+        glBindFramebuffer(RESOLVED);
+        glDisable(DEPTH_TEST);
+        glEnable(BLEND);
+        glBlendFunc(ONE, ONE_MINUS_SRC_ALPHA);
+        glActiveTexture(1);
+        glBindTexture(COUNTER);
+        glActiveTexture(2);
+        glBindTexture(ANCHOR);
+        glActiveTexture(0);
+    },
+};
+
+const AFTER_RESOLVE: Listing = Listing {
+    title: "As it was before",
+    source: "Lindholm et al. 2015, figure 3",
+    dialect: Dialect::Calls,
+    steps: steps! {
+        glDisable(BLEND);
+        glDepthMask(true);
+    },
+};
+
+/// The depth complexity: a count of fragments for each pixel.
+pub const COMPLEXITY: Map = Map::named("complexity");
+/// One counter a pixel that the Fill Step counts up.
+pub const COUNTER: Map = Map::named("fragment counter");
+/// PPLL: where each pixel's list begins, 0 for nowhere.
+pub const ANCHOR: Map = Map::named("list anchor");
+/// What each pixel's resolve has cost: records read, fragments composited, subpasses, and of the Local Array the elements
+/// reserved (upper half) and used.
+pub const COST: Map = Map::named("resolve cost");
+/// The global memory pool: fragment records.
+pub const RECORDS: Storage = Storage("fragment records");
+/// PPLL: the record after each record, 0 for none.
+pub const NEXT: Storage = Storage("list links");
+/// DFB: each pixel's base offset into the pool.
+pub const OFFSETS: Storage = Storage("base offsets");
+/// PPLL: how many nodes have been taken from the pool.
+pub const POOL: Storage = Storage("node pool");
+/// Where complexity is counted.
+pub const COUNT: Target = Target("count");
+/// The counters and anchors, to be cleared.
+pub const CLEARED: Target = Target("clear");
+/// Where lists are filled.
+pub const FILL: Target = Target("fill");
+/// Where lists are resolved: the image over opaque geometry, and [`COST`].
+pub const RESOLVED: Target = Target("resolve");
+/// The covered pixels that a resolve draws.
+pub const COVERED: Query = Query("resolved pixels");
+
+const COUNT_ATOMICALLY: Shader = Shader("a_buffer/count");
+const COUNT_ONE: Shader = Shader("a_buffer/one");
+const FILL_ATOMICALLY: Shader = Shader("a_buffer/fill");
+const FILL_IN_ORDER: Shader = Shader("a_buffer/fill_ordered");
+const RESOLVE_ALL: Shader = Shader("a_buffer/resolve");
+const RESOLVE_SEGMENT: Shader = Shader("a_buffer/resolve_segment");

@@ -1,0 +1,20 @@
+//! What goes onto paper: pictures, plots, tables.
+
+mod complexity;
+mod histogram;
+
+pub use complexity::{csv, picture};
+pub use histogram::{Plot, PlotKind, plot};
+
+use std::io::Write;
+use std::path::Path;
+
+/// Writes a text; the file appears only when it is whole.
+///
+/// # Errors
+/// If it cannot be written.
+pub fn save_text(path: &Path, text: &str) -> crate::error::Result<()> {
+    crate::image::write_whole(path, |file| {
+        file.write_all(text.as_bytes()).map_err(|e| e.to_string())
+    })
+}

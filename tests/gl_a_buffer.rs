@@ -1,0 +1,501 @@
+//! A-buffers against the oracle: every memory manager, every way to fill, sort and resolve, on random fragment stacks with
+//! ties, on soups and on models; complexities around every limit; images in bands.
+
+use onionskin::image::Comparison;
+use onionskin::methods::{ABufferOptions, CountBy, Fill, Frame, Manager, RecordColor, Sort};
+use onionskin::scene::generate::{Soup, soup};
+use onionskin::{Context, Method, Renderer, Scene};
+use proptest::test_runner::{TestCaseError, TestError};
+
+#[path = "common/stack.rs"]
+#[allow(dead_code)]
+mod stack;
+use stack::{Piece, Stack, runner, stacks};
+
+/// f32 colours composited in at most 1000 roundings of 2^-24 each, 6e-5, of which a front-to-back sum of weights that add
+/// up to 1 feels a few; the issue that asked for exactness allows 1e-5.
+const F32: f64 = 1e-5;
+
+/// A half float has 11 significant bits, so a colour is off by at most 2^-12 and an alpha by at most alpha x 2^-11 when
+/// rounded to nearest, twice that when cut. Colours are weighted by what adds up to 1; so are the alphas' relative errors.
+/// Cut: 2^-11 + 2^-10.
+const F16: f64 = 1.5e-3;
+
+const MANAGERS: [Manager; 3] = [Manager::Ffb, Manager::Dfb, Manager::Ppll];
+
+/// static, ppAO, ppDP, both.
+const LOCAL: [(bool, bool); 4] = [(false, false), (true, false), (false, true), (true, true)];
+
+/// Every combination with arrays that small stacks fill.
+fn combinations() -> Vec<ABufferOptions> {
+    let mut all = Vec::new();
+    for manager in MANAGERS {
+        for (pp_ao, pp_dp) in LOCAL {
+            for fill in [Fill::Atomics, Fill::Automatic] {
+                for sort in [Sort::Network, Sort::Insertion] {
+                    for color in [RecordColor::Half, RecordColor::Float] {
+                        all.push(ABufferOptions {
+                            manager,
+                            pp_ao,
+                            pp_dp,
+                            fill,
+                            sort,
+                            color,
+                            array: 16,
+                            peel: 3,
+                            ..ABufferOptions::DEFAULT
+                        });
+                    }
+                }
+            }
+        }
+    }
+    all
+}
+
+fn bound(options: &ABufferOptions) -> f64 {
+    match options.color {
+        RecordColor::Half => F16,
+        RecordColor::Float => F32,
+    }
+}
+
+#[test]
+fn l04_every_manager_and_fill_gives_the_oracle_s_image() {
+    let context = Context::headless().unwrap();
+    let combinations = combinations();
+    assert_eq!(combinations.len(), 96);
+    // One renderer, so that each program is compiled once.
+    let renderer = std::cell::RefCell::new(Renderer::new(&context, 3, 2).unwrap());
+    for levels in [stack::LEVELS, 4] {
+        let ran = runner(6).run(&stacks(levels, false), |stack| {
+            let scene = stack.scene();
+            let mut first: [Option<Frame>; 2] = [None, None];
+            for options in &combinations {
+                let frame = renderer
+                    .borrow_mut()
+                    .render(&scene, &Method::ABuffer(*options))
+                    .unwrap();
+                let (fragments, _) = stack.counts();
+                let error =
+                    Comparison::new(&frame.image, &stack.expected(), bound(options)).unwrap();
+                let whole = frame.stats.lost == Some(0) && frame.stats.fragments == fragments;
+                // The same fragments in the same order, composited by the same arithmetic: the same bits.
+                let first = &mut first[usize::from(options.color == RecordColor::Float)];
+                let same = first.get_or_insert_with(|| frame.clone()).image == frame.image;
+                if error.over > 0 || !whole || !same {
+                    let what = format!("{options:?}: {error:?} same {same}\n{}", frame.stats);
+                    return Err(TestCaseError::fail(what));
+                }
+            }
+            Ok(())
+        });
+        if let Err(TestError::Fail(why, stack)) = ran {
+            panic!("{why}\nthe smallest stack: {stack:#?}");
+        }
+    }
+}
+
+#[test]
+fn a_wrong_image_would_be_noticed() {
+    let context = Context::headless().unwrap();
+    let mut stack = alike(4, 5);
+    let frame = Renderer::new(&context, 4, 1)
+        .unwrap()
+        .render(&stack.scene(), &Method::ABuffer(small(Manager::Ppll)))
+        .unwrap();
+    // Seen through the others it changes the image by more than the bound, but by less than a step of 8 bits.
+    stack.pixels[3][0].color[1] += 0.1;
+    let error = Comparison::new(&frame.image, &stack.expected(), F16).unwrap();
+    assert_eq!(error.over, 1);
+}
+
+/// Around every segment's limit and far beyond, all pixels alike and one deep pixel among shallow ones.
+#[test]
+fn l21_every_complexity_comes_out_exact_by_peeling() {
+    let context = Context::headless().unwrap();
+    let mut renderer = Renderer::new(&context, 4, 1).unwrap();
+    for complexity in [
+        0, 1, 7, 8, 9, 63, 64, 65, 127, 128, 129, 255, 256, 300, 1000,
+    ] {
+        for stack in [alike(4, complexity), one_deep(complexity)] {
+            let scene = stack.scene();
+            let expected = stack.expected();
+            for manager in MANAGERS {
+                for pp_ao in [false, true] {
+                    let options = ABufferOptions {
+                        pp_ao,
+                        pp_dp: true,
+                        color: RecordColor::Float,
+                        ..small(manager)
+                    };
+                    let frame = renderer.render(&scene, &Method::ABuffer(options)).unwrap();
+                    let error = Comparison::new(&frame.image, &expected, F32).unwrap();
+                    assert_eq!(
+                        (error.over, frame.stats.lost),
+                        (0, Some(0)),
+                        "{complexity} {options:?}: {error:?}"
+                    );
+                    let deepest = frame.stats.a_buffer.unwrap().most_subpasses as usize;
+                    let size = if pp_ao { 64 } else { 8 };
+                    let deepest_pixel = stack.pixels.iter().map(Vec::len).max().unwrap();
+                    assert_eq!(
+                        deepest,
+                        deepest_pixel.div_ceil(size),
+                        "{complexity} {pp_ao}"
+                    );
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_static_array_of_256_takes_256_fragments_and_no_more() {
+    let context = Context::headless().unwrap();
+    let mut renderer = Renderer::new(&context, 4, 1).unwrap();
+    let options = ABufferOptions {
+        array: 256,
+        color: RecordColor::Float,
+        ..small(Manager::Dfb)
+    };
+    for (complexity, lost) in [(256, 0), (257, 1), (300, 44)] {
+        let stack = one_deep(complexity);
+        let frame = renderer
+            .render(&stack.scene(), &Method::ABuffer(options))
+            .unwrap();
+        assert_eq!(frame.stats.lost, Some(lost));
+        let error = Comparison::new(&frame.image, &stack.expected(), F32).unwrap();
+        assert_eq!(error.over > 0, lost > 0, "{error:?}");
+    }
+}
+
+/// llvmpipe ends a shader's loops after 65535 iterations; ppDP with an array of 8 would take 250 000.
+#[test]
+fn two_thousand_fragments_are_not_too_many() {
+    let context = Context::headless().unwrap();
+    let stack = one_deep(2000);
+    let options = ABufferOptions {
+        pp_dp: true,
+        color: RecordColor::Float,
+        ..small(Manager::Ppll)
+    };
+    let frame = Renderer::new(&context, 4, 1)
+        .unwrap()
+        .render(&stack.scene(), &Method::ABuffer(options))
+        .unwrap();
+    let error = Comparison::new(&frame.image, &stack.expected(), F32).unwrap();
+    assert_eq!((error.over, frame.stats.lost), (0, Some(0)), "{error:?}");
+}
+
+#[test]
+fn soups_and_models_equal_the_exact_image() {
+    let context = Context::headless().unwrap();
+    let size = [160, 120];
+    let mut scenes: Vec<Scene> = (0..3).map(soup_scene).collect();
+    for file in ["teapot.toml", "molecule.toml", "slices.toml"] {
+        let path = format!("{}/examples/scenes/{file}", env!("CARGO_MANIFEST_DIR"));
+        scenes.push(Scene::load_at(path, Some(size)).unwrap());
+    }
+    let mut renderer = Renderer::new(&context, size[0], size[1]).unwrap();
+    for scene in scenes {
+        let exact = renderer.render(&scene, &Method::Exact).unwrap();
+        for manager in MANAGERS {
+            for fill in [Fill::Atomics, Fill::Automatic] {
+                let options = ABufferOptions {
+                    fill,
+                    color: RecordColor::Float,
+                    pp_dp: true,
+                    ..small(manager)
+                };
+                let frame = renderer.render(&scene, &Method::ABuffer(options)).unwrap();
+                let error = Comparison::new(&frame.image, &exact.image, F32).unwrap();
+                assert_eq!(
+                    (error.over, frame.stats.lost),
+                    (0, Some(0)),
+                    "{} {options:?}: {error:?}",
+                    scene.name
+                );
+            }
+        }
+        let half = renderer
+            .render(&scene, &Method::ABuffer(small(Manager::Ppll)))
+            .unwrap();
+        let error = Comparison::new(&half.image, &exact.image, F16).unwrap();
+        assert_eq!(error.over, 0, "{}: {error:?}", scene.name);
+    }
+}
+
+#[test]
+fn shuffled_triangles_give_the_same_image_bit_for_bit() {
+    let context = Context::headless().unwrap();
+    let mut renderer = Renderer::new(&context, 160, 120).unwrap();
+    let scene = soup_scene(3);
+    let mut shuffled = scene.clone();
+    shuffled.meshes[0] = shuffled.meshes[0].shuffled(9);
+    for manager in MANAGERS {
+        let method = Method::ABuffer(small(manager));
+        let straight = renderer.render(&scene, &method).unwrap();
+        assert!(straight.image == renderer.render(&shuffled, &method).unwrap().image);
+    }
+}
+
+#[test]
+fn the_counts_equal_the_occlusion_query_s_however_they_are_counted() {
+    let context = Context::headless().unwrap();
+    for (scene, size) in [
+        (soup_scene(1), [160, 120]),
+        (soup_scene(2), [1, 1]),
+        (soup_scene(2), [7, 1]),
+        (soup_scene(2), [129, 67]),
+    ] {
+        let mut renderer = Renderer::new(&context, size[0], size[1]).unwrap();
+        let by = |by, renderer: &mut Renderer<'_>| renderer.complexity(&scene, by).unwrap();
+        let blending = by(CountBy::Blending, &mut renderer);
+        // Counted by GL's own query over passes that write no counter.
+        let fragments = renderer
+            .render(&scene, &Method::Blend)
+            .unwrap()
+            .stats
+            .fragments;
+        assert_eq!(blending.fragments(), fragments);
+        assert!(by(CountBy::Atomics, &mut renderer) == blending);
+        assert!(blending.max() < 255);
+        assert!(by(CountBy::Stencil, &mut renderer) == blending);
+    }
+}
+
+#[test]
+fn the_stencil_counts_to_255_and_the_others_beyond() {
+    let context = Context::headless().unwrap();
+    let mut renderer = Renderer::new(&context, 4, 1).unwrap();
+    let scene = one_deep(300).scene();
+    let mut counts = |by| renderer.complexity(&scene, by).unwrap().counts;
+    assert_eq!(counts(CountBy::Blending), [2, 300, 2, 2]);
+    assert_eq!(counts(CountBy::Atomics), [2, 300, 2, 2]);
+    assert_eq!(counts(CountBy::Stencil), [2, 255, 2, 2]);
+}
+
+/// The trap that `doctor` describes: full-screen triangles over a framebuffer without depth lose atomics on llvmpipe.
+#[test]
+fn full_screen_layers_lose_no_fragment() {
+    let context = Context::headless().unwrap();
+    let mut scene = Scene::load(concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/examples/scenes/slices.toml"
+    ))
+    .unwrap();
+    scene.size = [256, 192];
+    scene.camera.fov = 10.0;
+    let mut renderer = Renderer::new(&context, 256, 192).unwrap();
+    for manager in MANAGERS {
+        for fill in [Fill::Atomics, Fill::Automatic] {
+            let options = ABufferOptions {
+                fill,
+                pp_dp: true,
+                ..small(manager)
+            };
+            let stats = renderer
+                .render(&scene, &Method::ABuffer(options))
+                .unwrap()
+                .stats;
+            assert!(stats.fragments > 256 * 192 * 60, "{}", stats.fragments);
+            assert_eq!(stats.lost, Some(0));
+        }
+    }
+}
+
+#[test]
+fn bands_of_any_height_give_the_same_image_bit_for_bit() {
+    let context = Context::headless().unwrap();
+    for size in [[1, 1], [1, 7], [7, 1], [127, 95], [128, 96]] {
+        let mut scene = soup_scene(4);
+        scene.size = size;
+        let mut renderer = Renderer::new(&context, size[0], size[1]).unwrap();
+        for manager in MANAGERS {
+            let whole = ABufferOptions {
+                pp_dp: true,
+                ..small(manager)
+            };
+            let unbanded = renderer.render(&scene, &Method::ABuffer(whole)).unwrap();
+            let counts = unbanded.stats.a_buffer.unwrap();
+            assert_eq!(counts.bands, 1);
+            for parts in [2, 5] {
+                let budget = (counts.list_bytes / parts).max(64 * u64::from(size[0]) * 16);
+                let options = ABufferOptions {
+                    budget: Some(budget),
+                    ..whole
+                };
+                let banded = renderer.render(&scene, &Method::ABuffer(options)).unwrap();
+                let in_bands = banded.stats.a_buffer.unwrap();
+                assert!(in_bands.list_bytes <= budget);
+                assert!(in_bands.bands > 1 || counts.list_bytes <= budget);
+                assert!(banded.image == unbanded.image, "{size:?} {options:?}");
+                assert_eq!(banded.stats.lost, Some(0));
+                assert_eq!(in_bands.records_read, counts.records_read);
+            }
+        }
+    }
+}
+
+/// The large sizes once, with the manager that the prefix scan serves, over an odd size and a budget.
+#[test]
+fn large_images_are_the_same_in_bands() {
+    const MIB: u64 = 1 << 20;
+    let context = Context::headless().unwrap();
+    for (size, budgets) in [
+        ([1023, 767], [4 * MIB, 64 * MIB]),
+        ([1024, 768], [4 * MIB, 64 * MIB]),
+        ([4096, 2304], [60 * MIB, 512 * MIB]),
+    ] {
+        let mut scene = soup_scene(5);
+        scene.size = size;
+        let mut renderer = Renderer::new(&context, size[0], size[1]).unwrap();
+        let mut images = Vec::new();
+        for budget in budgets {
+            let options = ABufferOptions {
+                budget: Some(budget),
+                pp_dp: true,
+                ..small(Manager::Dfb)
+            };
+            let frame = renderer.render(&scene, &Method::ABuffer(options)).unwrap();
+            assert_eq!(frame.stats.lost, Some(0));
+            let counts = frame.stats.a_buffer.unwrap();
+            assert!(counts.list_bytes <= budget);
+            images.push((frame.image, counts.bands));
+        }
+        assert!(images[0].1 > images[1].1, "{size:?}: as many bands");
+        assert!(images[0].0 == images[1].0, "{size:?}");
+        if size[0] < 2000 {
+            let peeled = renderer
+                .render(&scene, &"depth-peeling".parse().unwrap())
+                .unwrap();
+            let error = Comparison::new(&images[0].0, &peeled.image, F16).unwrap();
+            assert!(
+                error.over as u64 <= peeled.stats.lost.unwrap(),
+                "{size:?}: {error:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_budget_that_takes_no_row_is_refused_with_the_numbers() {
+    let context = Context::headless().unwrap();
+    let options = ABufferOptions {
+        budget: Some(1000),
+        ..small(Manager::Ffb)
+    };
+    let refused = Renderer::new(&context, 160, 120)
+        .unwrap()
+        .render(&soup_scene(0), &Method::ABuffer(options))
+        .unwrap_err()
+        .to_string();
+    assert!(refused.contains("in the deepest pixel"), "{refused}");
+    assert!(refused.contains("dfb"), "{refused}");
+}
+
+#[test]
+fn options_out_of_range_are_refused_and_nothing_panics() {
+    let good = small(Manager::Ppll);
+    let bad = [
+        ABufferOptions { array: 0, ..good },
+        ABufferOptions { array: 12, ..good },
+        ABufferOptions {
+            array: 2048,
+            ..good
+        },
+        ABufferOptions {
+            array: 4,
+            pp_ao: true,
+            ..good
+        },
+        ABufferOptions { peel: 0, ..good },
+        ABufferOptions { peel: 65, ..good },
+        ABufferOptions {
+            termination: -0.1,
+            ..good
+        },
+        ABufferOptions {
+            termination: f32::NAN,
+            ..good
+        },
+        ABufferOptions {
+            budget: Some(0),
+            ..good
+        },
+    ];
+    for options in bad {
+        assert!(options.check().is_err(), "{options:?}");
+    }
+    good.check().unwrap();
+}
+
+#[test]
+fn a_scene_without_anything_transparent_is_its_background() {
+    let context = Context::headless().unwrap();
+    let scene = alike(4, 0).scene();
+    for manager in MANAGERS {
+        let frame = Renderer::new(&context, 4, 1)
+            .unwrap()
+            .render(&scene, &Method::ABuffer(small(manager)))
+            .unwrap();
+        assert_eq!(frame.stats.lost, Some(0));
+        let error = Comparison::new(&frame.image, &alike(4, 0).expected(), 0.0).unwrap();
+        assert_eq!(error.over, 0);
+    }
+}
+
+/// The defaults with a sort that compiles at once.
+fn small(manager: Manager) -> ABufferOptions {
+    ABufferOptions {
+        manager,
+        sort: Sort::Insertion,
+        ..ABufferOptions::DEFAULT
+    }
+}
+
+/// Every pixel with so many fragments, in an order that is neither front to back nor back to front, some of them tied.
+fn alike(width: u32, complexity: usize) -> Stack {
+    Stack {
+        width,
+        pixels: (0..width as usize)
+            .map(|pixel| pieces(complexity, pixel))
+            .collect(),
+        opaque: None,
+    }
+}
+
+/// One pixel with so many fragments among pixels with two.
+fn one_deep(complexity: usize) -> Stack {
+    let mut stack = alike(4, 2);
+    stack.pixels[1] = pieces(complexity, 1);
+    stack
+}
+
+fn pieces(complexity: usize, seed: usize) -> Vec<Piece> {
+    let part = |number: usize, step: usize| ((number + seed) * step % 101) as f32 / 100.0;
+    let piece = |number: usize| Piece {
+        // 997 is prime: levels come in a scattered order and each about once.
+        level: ((number + seed) * 389 % 997) as u16,
+        color: [
+            part(number, 7),
+            part(number, 13),
+            part(number, 29),
+            0.02 + 0.1 * part(number, 37),
+        ],
+    };
+    (0..complexity).map(piece).collect()
+}
+
+fn soup_scene(seed: u64) -> Scene {
+    let parameters = Soup {
+        count: 400,
+        seed,
+        ..Soup::default()
+    };
+    let mut scene = Scene::of("soup", vec![soup(&parameters).unwrap()]);
+    scene.size = [160, 120];
+    scene.background = [0.2, 0.4, 0.6];
+    scene
+}
