@@ -25,12 +25,7 @@ fn main() -> onionskin::Result<()> {
         Method::CoherentLayerPeeling(Variant::B.into()),
     ];
     let ideal = Method::IdealCoherentLayerPeeling(Default::default());
-    if ideal
-        .entry()
-        .needs
-        .iter()
-        .all(|extension| context.driver().has(extension))
-    {
+    if ideal.entry().runs_on(context.driver()) {
         methods.push(ideal);
     }
 

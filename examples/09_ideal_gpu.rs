@@ -22,13 +22,12 @@ fn main() -> onionskin::Result<()> {
         sorting: Sorting::Reversed(1024),
         ..IdealOptions::default()
     };
-    if let Some(missing) = Method::IdealCoherentLayerPeeling(ideal)
-        .entry()
-        .needs
-        .iter()
-        .find(|extension| !context.driver().has(extension))
-    {
-        println!("skipped: this driver has no {missing}");
+    let entry = Method::IdealCoherentLayerPeeling(ideal).entry();
+    if !entry.runs_on(context.driver()) {
+        println!(
+            "skipped: this driver has neither {}",
+            entry.needs.join(" nor ")
+        );
         return Ok(());
     }
     let exact = renderer.render(&scene, &Method::Exact)?;

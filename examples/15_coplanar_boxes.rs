@@ -31,8 +31,8 @@ fn main() -> onionskin::Result<()> {
     println!("method                    missing  doubled  lost by its own count  maximum error");
     let driver = context.driver();
     for entry in registry() {
-        if !entry.needs.iter().all(|name| driver.has(name)) {
-            println!("{:<24} needs {}", entry.name, entry.needs.join(", "));
+        if !entry.runs_on(driver) {
+            println!("{:<24} needs {}", entry.name, entry.needs.join(" or "));
             continue;
         }
         let method = entry.method;

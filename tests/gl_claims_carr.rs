@@ -3,7 +3,7 @@
 
 use onionskin::image::Comparison;
 use onionskin::methods::{
-    CoherentOptions, Frame, IdealOptions, LayerPeelingOptions, Sorting, Variant,
+    BufferAccess, CoherentOptions, Frame, IdealOptions, LayerPeelingOptions, Sorting, Variant,
 };
 use onionskin::papers::carr_2008::{AT_BOUND, AT_BOUND_AS_PRINTED};
 use onionskin::scene::generate::{Order, Slices, Soup, TorusKnot, slices, soup, torus_knot};
@@ -305,6 +305,46 @@ fn c19_the_ideal_gpu_takes_two_geometry_passes_an_iteration() {
         assert_eq!(stats.geometry_passes, u64::from(stats.iterations) * 2 - 1);
         let layers = render(&context, &scene, &LAYERS).stats;
         assert!(stats.iterations <= layers.iterations, "{name}");
+    }
+}
+
+#[test]
+fn c19_the_ideal_gpu_by_images_gives_the_same_image() {
+    let context = Context::headless().unwrap();
+    let driver = context.driver();
+    // Without an interlock nothing promises the order. llvmpipe, which draws each tile by one thread, keeps it.
+    if !driver.has("GL_ARB_fragment_shader_interlock") && !driver.renderer.contains("llvmpipe") {
+        println!("skipped: no GL_ARB_fragment_shader_interlock");
+        return;
+    }
+    for name in ["knots", "soup"] {
+        let scene = example(name, [120, 90]);
+        let exact = render(&context, &scene, &Method::Exact);
+        for tight_bound in [false, true] {
+            let by = |access| {
+                let options = IdealOptions {
+                    tight_bound,
+                    access,
+                    ..IdealOptions::default()
+                };
+                render(
+                    &context,
+                    &scene,
+                    &Method::IdealCoherentLayerPeeling(options),
+                )
+            };
+            let images = by(BufferAccess::Images);
+            assert!(
+                error(&images, &exact) <= F32,
+                "{name}: {}",
+                error(&images, &exact)
+            );
+            if driver.has("GL_EXT_shader_framebuffer_fetch") {
+                let fetched = by(BufferAccess::Best);
+                assert!(images.image == fetched.image, "{name}");
+                assert_eq!(images.stats.iterations, fetched.stats.iterations, "{name}");
+            }
+        }
     }
 }
 

@@ -36,11 +36,7 @@ fn every_exact_method_gives_the_same_image_with_any_number_of_threads() {
         .filter(|entry| entry.exact)
     {
         let context = onionskin::Context::headless().unwrap();
-        if !entry
-            .needs
-            .iter()
-            .all(|extension| context.driver().has(extension))
-        {
+        if !entry.runs_on(context.driver()) {
             println!("skipped: {} needs {:?}", entry.name, entry.needs);
             continue;
         }

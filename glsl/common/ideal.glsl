@@ -1,11 +1,59 @@
 // What Algorithm 2 asks of an ideal GPU (Carr et al. 2008, section 7): buffers that a fragment shader reads and writes
-// in the order of submission. Here they are the framebuffer's color maps, fetched.
+// in the order of submission.
 //
-// A map that a shader must not change is masked (glColorMaski): drivers do not keep one that is only read.
+// By default they are the framebuffer's color maps, fetched. A map that a shader must not change is masked
+// (glColorMaski): drivers do not keep one that is only read. With IMAGES they are images, loaded and stored between
+// the two ends of an interlock, where the driver has one: a main function writes BEGIN_FRAGMENT and END_FRAGMENT around
+// what it does, because neither end may stand anywhere else.
 
+#ifdef IMAGES
+#extension GL_ARB_fragment_shader_interlock : enable
+#else
+#extension GL_EXT_shader_framebuffer_fetch : require
+#endif
+
+#ifdef IMAGES
+layout(binding = 0, rgba32f) coherent uniform image2D depths_image;
+layout(binding = 1, rgba32f) coherent uniform image2D image_image;
+layout(binding = 2, rgba32f) coherent uniform image2D peel_image;
+
+vec4 depths;     // z1, z2, z3, zPostFlag
+vec4 image;      // premultiplied, front to back
+vec4 peel;       // zPeel
+
+void load_pixel() {
+    ivec2 here = ivec2(gl_FragCoord.xy);
+    depths = imageLoad(depths_image, here);
+    image = imageLoad(image_image, here);
+    peel = imageLoad(peel_image, here);
+}
+
+void store_pixel() {
+    ivec2 here = ivec2(gl_FragCoord.xy);
+    imageStore(depths_image, here, depths);
+    imageStore(image_image, here, image);
+    imageStore(peel_image, here, peel);
+}
+
+#ifdef GL_ARB_fragment_shader_interlock
+layout(pixel_interlock_ordered) in;
+#define BEGIN_FRAGMENT beginInvocationInterlockARB(); load_pixel();
+#define END_FRAGMENT store_pixel(); endInvocationInterlockARB();
+#else
+#define BEGIN_FRAGMENT load_pixel();
+#define END_FRAGMENT store_pixel();
+#endif
+#define READ_FRAGMENT load_pixel();
+
+#else
 layout(location = 0) inout vec4 depths;      // z1, z2, z3, zPostFlag
 layout(location = 1) inout vec4 image;       // premultiplied, front to back
 layout(location = 2) inout vec4 peel;        // zPeel
+
+#define BEGIN_FRAGMENT
+#define END_FRAGMENT
+#define READ_FRAGMENT
+#endif
 
 layout(binding = 4) uniform sampler2D opaque;
 

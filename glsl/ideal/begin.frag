@@ -1,10 +1,11 @@
 #version 450 core
-#extension GL_EXT_shader_framebuffer_fetch : require
 // Algorithm 2, lines 7 to 12: z3 goes to the opaque depth, so that a pixel with nothing left ends there.
 
 #include "common/ideal.glsl"
 
 void main() {
+    BEGIN_FRAGMENT
     peel = vec4(depths.z);
     depths = vec4(vec3(opaque_depth()), 0.0);
+    END_FRAGMENT
 }

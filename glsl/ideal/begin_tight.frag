@@ -1,10 +1,11 @@
 #version 450 core
-#extension GL_EXT_shader_framebuffer_fetch : require
 // Algorithm 2, lines 7 to 12: an unbroken run has ended at z2.
 
 #include "common/ideal.glsl"
 
 void main() {
+    BEGIN_FRAGMENT
     peel = vec4(tight_bound());
     depths = vec4(opaque_depth(), opaque_depth(), depths.z, 0.0);
+    END_FRAGMENT
 }

@@ -1,5 +1,4 @@
 #version 450 core
-#extension GL_EXT_shader_framebuffer_fetch : require
 // Algorithm 2, lines 13 to 34, as printed.
 
 #include "common/ideal.glsl"
@@ -7,8 +6,10 @@
 #include "common/ideal_pass_1.glsl"
 
 void main() {
+    BEGIN_FRAGMENT
     float z = gl_FragCoord.z;
     if (!peel_fragment(z) && z == peel.r) {
         composite_fragment();
     }
+    END_FRAGMENT
 }

@@ -6,7 +6,7 @@ use clap::Args;
 use comfy_table::{CellAlignment, Table, presets};
 use onionskin::image::Comparison;
 use onionskin::methods::{Frame, registry};
-use onionskin::{Method, Result};
+use onionskin::{Context, Method, Result};
 
 use super::output::{print_json, say};
 use super::progress::Progress;
@@ -44,9 +44,13 @@ Examples:
 
 impl Compare {
     pub(super) fn run(self) -> Result<ExitCode> {
-        let methods = self.methods()?;
+        // What the methods are called is said before anything long begins.
+        let mut methods = self.methods()?;
         let scene = self.setup.scene()?;
         let context = self.setup.gl.context()?;
+        if self.method == "all" {
+            methods.retain(|method| runs_here(method, &context));
+        }
         let mut renderer = self.setup.renderer(&context, &scene)?;
         let progress = Progress::new(methods.len() as u64 + 1, "exact");
         let exact = renderer.render(&scene, &Method::Exact)?;
@@ -85,6 +89,19 @@ impl Compare {
             names => names.split(',').map(|name| name.trim().parse()).collect(),
         }
     }
+}
+
+/// Says so where a method does not.
+fn runs_here(method: &Method, context: &Context) -> bool {
+    let entry = method.entry();
+    let runs = entry.runs_on(context.driver());
+    if !runs {
+        eprintln!(
+            "note: {method} left out: it needs {}",
+            entry.needs.join(" or ")
+        );
+    }
+    runs
 }
 
 fn table(results: &[(Frame, Comparison)]) -> Table {

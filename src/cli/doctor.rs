@@ -138,7 +138,7 @@ impl fmt::Display for Report {
         for (method, lacks) in &self.methods_missing {
             line(
                 method,
-                &format!("will not work: it needs {}", lacks.join(", ")),
+                &format!("will not work: it needs {}", lacks.join(" or ")),
             )?;
         }
         if self.traps.is_empty() {
@@ -170,16 +170,9 @@ fn has_compatibility(backend: Backend) -> bool {
 }
 
 fn missing(driver: &Driver) -> Vec<(&'static str, Vec<&'static str>)> {
-    let lacks = |needs: &[&'static str]| {
-        needs
-            .iter()
-            .filter(|name| !driver.has(name))
-            .copied()
-            .collect::<Vec<_>>()
-    };
     registry()
         .iter()
-        .map(|entry| (entry.name, lacks(entry.needs)))
-        .filter(|(_, lacks)| !lacks.is_empty())
+        .filter(|entry| !entry.runs_on(driver))
+        .map(|entry| (entry.name, entry.needs.to_vec()))
         .collect()
 }

@@ -203,6 +203,7 @@ impl MethodOptions {
             sorting: self.sort.unwrap_or(options.sorting),
             tight_bound: !self.improve.is_empty(),
             as_printed: self.as_printed,
+            ..options
         }))
     }
 

@@ -57,7 +57,7 @@ impl Methods {
                 let needs = if entry.needs.is_empty() {
                     "OpenGL 4.3".into()
                 } else {
-                    entry.needs.join(", ")
+                    entry.needs.join(" or ")
                 };
                 table.add_row([
                     entry.name,

@@ -169,7 +169,7 @@ impl<'c> GlMachine<'c> {
         self.classic.state = None;
     }
 
-    /// What the programs whose names begin with `a_buffer/` are compiled with from now on: names and values that their
+    /// What the programs whose names begin with `a_buffer/` or `ideal/` are compiled with from now on: names and values that their
     /// source sees as `#define`s.
     pub fn set_constants(&mut self, constants: &[(&'static str, u32)]) {
         self.constants = constants.to_vec();

@@ -86,13 +86,16 @@ pub(super) struct ProgramKey {
 }
 
 impl ProgramKey {
-    /// Only an A-buffer's programs are compiled with constants; `more` come last.
+    /// Only an A-buffer's and the ideal GPU's programs are compiled with constants; `more` come last.
     pub(super) fn new(
         shader: Shader,
         constants: &[(&'static str, u32)],
         more: Option<(&'static str, u32)>,
     ) -> Self {
-        let constants = if shader.0.starts_with(A_BUFFER) {
+        let constants = if WITH_CONSTANTS
+            .iter()
+            .any(|folder| shader.0.starts_with(folder))
+        {
             constants.iter().copied().chain(more).collect()
         } else {
             Vec::new()
@@ -101,7 +104,7 @@ impl ProgramKey {
     }
 }
 
-const A_BUFFER: &str = "a_buffer/";
+const WITH_CONSTANTS: [&str; 2] = ["a_buffer/", "ideal/"];
 
 /// What a shader's name stands for.
 #[derive(Debug)]

@@ -1,7 +1,8 @@
 //! The ideal GPU's coherent layer peeling (Carr et al. 2008, Algorithm 2): two geometry passes an iteration.
 //!
 //! It asks for a rasteriser whose shaders read and write several buffers in the order of submission. Drivers with
-//! `GL_EXT_shader_framebuffer_fetch` have one. The paper's pseudocode itself runs on the emulated pixel.
+//! `GL_EXT_shader_framebuffer_fetch` (Mesa's llvmpipe) have one, and drivers with `GL_ARB_fragment_shader_interlock`
+//! (NVIDIA's, Intel's) have one by images. The paper's pseudocode itself runs on the emulated pixel.
 
 use super::peeled::{Peeled, peeled};
 use super::sorting::Sorting;
@@ -13,8 +14,20 @@ use crate::papers::vtk;
 use crate::scene::Scene;
 use crate::steps::run;
 
-/// The extension that makes a GPU ideal.
-pub(super) const NEEDS: &[&str] = &["GL_EXT_shader_framebuffer_fetch"];
+/// The extensions of which each makes a GPU ideal.
+pub(super) const NEEDS: &[&str] = &[FETCH, INTERLOCK];
+const FETCH: &str = "GL_EXT_shader_framebuffer_fetch";
+const INTERLOCK: &str = "GL_ARB_fragment_shader_interlock";
+
+/// How a shader gets at the buffers.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum BufferAccess {
+    /// By fetching the framebuffer if the driver can, otherwise by interlocked images.
+    #[default]
+    Best,
+    /// By images in any case. Without an interlock nothing promises the order of submission; llvmpipe keeps it.
+    Images,
+}
 
 /// What can be chosen about it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -25,27 +38,59 @@ pub struct IdealOptions {
     pub tight_bound: bool,
     /// Algorithm 2 with nothing amended. Given up when it goes on for too long.
     pub as_printed: bool,
+    /// How its buffers are read and written.
+    pub access: BufferAccess,
 }
 
 pub(super) struct IdealCoherentLayerPeeling {
-    pub(super) options: IdealOptions,
-    pub(super) peeled: Peeled,
+    options: IdealOptions,
+    peeled: Peeled,
+    by_images: bool,
+}
+
+impl IdealCoherentLayerPeeling {
+    pub(super) fn new(options: IdealOptions) -> Self {
+        Self {
+            options,
+            peeled: Peeled::new(options.as_printed),
+            by_images: false,
+        }
+    }
+
+    fn by_images(&self, machine: &GlMachine<'_>) -> Result<bool> {
+        let driver = machine.context().driver();
+        match self.options.access {
+            BufferAccess::Images => Ok(true),
+            BufferAccess::Best if driver.has(FETCH) => Ok(false),
+            BufferAccess::Best if driver.has(INTERLOCK) => Ok(true),
+            BufferAccess::Best => Err(Error::Driver {
+                what: format!(
+                    "this driver is no ideal GPU: it has neither {FETCH} nor {INTERLOCK}"
+                ),
+                remedy: "Mesa's llvmpipe has the first; coherent-layer-peeling-a runs everywhere"
+                    .into(),
+            }),
+        }
+    }
 }
 
 impl Algorithm for IdealCoherentLayerPeeling {
     fn prepare(&mut self, machine: &mut GlMachine<'_>, scene: &Scene) -> Result<()> {
-        let driver = machine.context().driver();
-        if let Some(missing) = NEEDS.iter().find(|extension| !driver.has(extension)) {
-            return Err(Error::Driver {
-                what: format!("this driver is no ideal GPU: it has no {missing}"),
-                remedy: "Mesa's llvmpipe has it; coherent-layer-peeling-a runs everywhere".into(),
-            });
-        }
+        self.by_images = self.by_images(machine)?;
         let order = self.options.sorting.order(scene);
         let geometry = Geometry::upload_in_order(machine.context(), scene, machine.size(), &order)?;
         machine.set_geometry(geometry);
         self.peeled.prepare(machine)?;
-        ideal::furnish(machine)?;
+        machine.set_constants(if self.by_images {
+            &[("IMAGES", 1)]
+        } else {
+            &[]
+        });
+        if self.by_images {
+            ideal::furnish_images(machine)?;
+        } else {
+            ideal::furnish(machine)?;
+        }
         machine.target(vtk::COMPOSITE, Some(super::renderer::IMAGE), None)
     }
 
@@ -54,7 +99,11 @@ impl Algorithm for IdealCoherentLayerPeeling {
             true => self.peeled.amendments(&ideal::TIGHT_BOUND_ON_GL),
             false => self.peeled.amendments(&ideal::AMENDMENTS),
         };
-        let outcome = run(&ideal::IDEAL, amendments, self.peeled.variables(), machine)?;
+        let mut amendments = amendments.to_vec();
+        if self.by_images {
+            amendments.extend(ideal::BY_IMAGES);
+        }
+        let outcome = run(&ideal::IDEAL, &amendments, self.peeled.variables(), machine)?;
         Ok(Drawn {
             // Its shaders composite without blending or discarding, so no query tells.
             composited: match self.options.as_printed {

@@ -34,7 +34,7 @@ pub use coplanar_depth_peeling::CoplanarDepthPeelingOptions;
 pub use depth_peeling::{Compositing, DepthPeelingOptions};
 pub use depth_unit_0::{DepthSource, DepthUnit0, Place, Trial};
 pub use dual_depth_peeling::DualDepthPeelingOptions;
-pub use ideal_coherent_layer_peeling::IdealOptions;
+pub use ideal_coherent_layer_peeling::{BufferAccess, IdealOptions};
 pub use layer_peeling::LayerPeelingOptions;
 pub use registry::{Entry, Method, registry};
 pub use renderer::{Frame, Layer, Renderer};

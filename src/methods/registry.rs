@@ -12,6 +12,7 @@ use super::ideal_coherent_layer_peeling::{self as ideal, IdealOptions};
 use super::layer_peeling::LayerPeelingOptions;
 use super::sorting::Sorting;
 use crate::error::{Error, Result};
+use crate::gl::Driver;
 
 /// A method with its options.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -56,8 +57,15 @@ pub struct Entry {
     pub ties: &'static str,
     /// What its memory grows with.
     pub memory: &'static str,
-    /// Extensions that it needs beyond OpenGL 4.3.
+    /// Extensions beyond OpenGL 4.3 of which it needs one; none if it needs none.
     pub needs: &'static [&'static str],
+}
+
+impl Entry {
+    /// Whether a driver offers what it needs.
+    pub fn runs_on(&self, driver: &Driver) -> bool {
+        self.needs.is_empty() || self.needs.iter().any(|extension| driver.has(extension))
+    }
 }
 
 /// Every method, in the order in which `compare` shows them.
@@ -168,6 +176,7 @@ const ENTRIES: &[Entry] = &[
             sorting: SORTING,
             tight_bound: false,
             as_printed: false,
+            access: ideal::BufferAccess::Best,
         }),
         source: "Carr et al. 2008, Algorithm 2",
         exact: true,

@@ -186,10 +186,9 @@ impl<'c> Renderer<'c> {
             Method::CoherentLayerPeeling(options) => {
                 Box::new(CoherentLayerPeeling::new(*options, self.color, self.depth))
             }
-            Method::IdealCoherentLayerPeeling(options) => Box::new(IdealCoherentLayerPeeling {
-                options: *options,
-                peeled: Peeled::new(options.as_printed),
-            }),
+            Method::IdealCoherentLayerPeeling(options) => {
+                Box::new(IdealCoherentLayerPeeling::new(*options))
+            }
             Method::DualDepthPeeling(options) => Box::new(DualDepthPeeling {
                 options: *options,
                 color: self.color,

@@ -236,6 +236,46 @@ pub const TIGHT_BOUND_ON_GL: [Amendment; 3] = [
     },
 ];
 
+/// The same by images that fragments load and store in their order, instead of a framebuffer that they fetch.
+pub const BY_IMAGES: [Amendment; 3] = [
+    Amendment {
+        key: "images",
+        place: "Algorithm 2, lines 1 to 3",
+        printed: steps! { glClear(COLOR_BUFFER_BIT); },
+        amended: steps! {
+            glClear(COLOR_BUFFER_BIT);
+            glBindFramebuffer(NO_COLORS);
+            glBindImageTexture(0, DEPTHS);
+            glBindImageTexture(1, ACCUMULATED);
+            glBindImageTexture(2, Z_PEEL);
+            glMemoryBarrier();
+        },
+        why: "the maps are images",
+        test: "c19_the_ideal_gpu_by_images_gives_the_same_image",
+    },
+    Amendment {
+        key: "images",
+        place: "Algorithm 2, behind lines 7 to 12",
+        printed: steps! { drawScreen(); },
+        amended: steps! { drawScreen(); glMemoryBarrier(); },
+        why: "a pass sees what the one before has stored",
+        test: "c19_the_ideal_gpu_by_images_gives_the_same_image",
+    },
+    Amendment {
+        key: "images",
+        place: "Algorithm 2, behind each pass",
+        printed: steps! { drawTransparentObjects(); },
+        amended: steps! { drawTransparentObjects(); glMemoryBarrier(); },
+        why: "a pass sees what the one before has stored",
+        test: "c19_the_ideal_gpu_by_images_gives_the_same_image",
+    },
+];
+
+/// Draws into no color map.
+const NO_COLORS: Target = Target("no colors");
+/// Nothing is written to it: see `GlMachine::traps` for why it is there.
+const UNUSED_DEPTH: Map = Map::named("unused depth");
+
 /// `z1`, `z2`, `z3` and `zPostFlag`.
 pub const DEPTHS: Map = Map::named("z1 z2 z3 zPostFlag");
 /// Gives the listing its maps: [`DEPTHS`], the image and [`Z_PEEL`], in 32-bit floats, for depths need them.
@@ -248,6 +288,16 @@ pub fn furnish(workspace: &mut impl Workspace) -> Result<()> {
         workspace.allocate(map, Format::Rgba32F)?;
     }
     workspace.target_of(PEEL, &maps, None)
+}
+
+/// The same for [`BY_IMAGES`].
+///
+/// # Errors
+/// If there is no room.
+pub fn furnish_images(workspace: &mut impl Workspace) -> Result<()> {
+    furnish(workspace)?;
+    workspace.allocate(UNUSED_DEPTH, Format::Depth32FStencil8)?;
+    workspace.target_of(NO_COLORS, &[], Some(UNUSED_DEPTH))
 }
 
 /// The depth up to which everything has been composited.
