@@ -123,9 +123,12 @@ fn l21_every_complexity_comes_out_exact_by_peeling() {
             let expected = stack.expected();
             for manager in MANAGERS {
                 for pp_ao in [false, true] {
+                    // ppDP with an array of 64 takes a driver seconds to compile, so not with every manager.
+                    let array = if manager == Manager::Dfb { 64 } else { 16 };
                     let options = ABufferOptions {
                         pp_ao,
                         pp_dp: true,
+                        array,
                         color: RecordColor::Float,
                         ..small(manager)
                     };
@@ -137,7 +140,7 @@ fn l21_every_complexity_comes_out_exact_by_peeling() {
                         "{complexity} {options:?}: {error:?}"
                     );
                     let deepest = frame.stats.a_buffer.unwrap().most_subpasses as usize;
-                    let size = if pp_ao { 64 } else { 8 };
+                    let size = if pp_ao { array as usize } else { 8 };
                     let deepest_pixel = stack.pixels.iter().map(Vec::len).max().unwrap();
                     assert_eq!(
                         deepest,
