@@ -50,6 +50,7 @@ fn main() -> onionskin::Result<()> {
             far: 5.0,
         },
         meshes: vec![triangle],
+        volumes: Vec::new(),
         notices: Vec::new(),
     };
 

@@ -105,6 +105,7 @@ fn boxes() -> Scene {
             far: 10.0,
         },
         meshes: meshes.collect(),
+        volumes: Vec::new(),
         notices: Vec::new(),
     }
 }

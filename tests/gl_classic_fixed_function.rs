@@ -473,6 +473,7 @@ fn scene(triangles: &[[Corner; 3]]) -> Scene {
             far: 3.0,
         },
         meshes: vec![mesh],
+        volumes: Vec::new(),
         notices: Vec::new(),
     }
 }

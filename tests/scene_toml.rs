@@ -324,13 +324,6 @@ fn a_model_in_another_format() {
 }
 
 #[test]
-fn a_volume_is_not_supported_yet() {
-    let error =
-        bad_toml("size = [4, 4]\n\n[[volume]]\nfile = \"v.nhdr\"\nstep = 0.5\n").says("volumes");
-    assert_eq!(error.line, Some(4));
-}
-
-#[test]
 fn meshes_as_one_table() {
     bad_toml("[mesh]\nfile = \"m.obj\"\n").suggests("[[mesh]]");
 }

@@ -1,4 +1,4 @@
-//! What is to be rendered: meshes, a camera, a background. No GL.
+//! What is to be rendered: meshes, volumes, a camera, a background. No GL.
 //!
 //! A scene comes from a TOML scene file ([`Scene::load`]), from a bare model file, or from code.
 //! Everything is resolved when it is loaded: the camera is fitted, colours and opacities are per vertex, polygons are
@@ -15,6 +15,7 @@ mod normals;
 mod obj;
 mod source;
 mod transform;
+mod volume;
 
 use std::path::Path;
 
@@ -24,6 +25,7 @@ pub use fit::PartialCamera;
 pub use mesh::{Mesh, Shading, Vertex};
 pub use source::MAX_BYTES;
 pub use transform::Transform;
+pub use volume::{MAX_SAMPLES, Medium, Transfer, TransferPoint, Volume};
 
 use crate::error::{Error, Place, Result};
 
@@ -40,6 +42,8 @@ pub struct Scene {
     pub camera: Camera,
     /// In the order of submission, which decides between coplanar surfaces.
     pub meshes: Vec<Mesh>,
+    /// In no particular order: where they overlap they are sampled together.
+    pub volumes: Vec<Volume>,
     /// What was repaired, skipped or assumed while loading, a sentence each, for the user.
     pub notices: Vec<String>,
 }
@@ -87,15 +91,23 @@ impl Scene {
             name: name.into(),
             size,
             background: [0.0; 3],
-            camera: PartialCamera::default().fit(joined(&meshes), size),
+            camera: PartialCamera::default().fit(joined(&meshes, &[]), size),
             meshes,
+            volumes: Vec::new(),
             notices: Vec::new(),
         }
     }
 
-    /// The box of all vertices of all meshes; `None` if there are none.
+    /// The same scene with volumes, too, the camera as it is.
+    #[must_use]
+    pub fn with_volumes(mut self, volumes: Vec<Volume>) -> Self {
+        self.volumes = volumes;
+        self
+    }
+
+    /// The box of all vertices of all meshes and all corners of all volumes; `None` if there are none.
     pub fn bounds(&self) -> Option<Bounds> {
-        joined(&self.meshes)
+        joined(&self.meshes, &self.volumes)
     }
 
     /// How many triangles there are in all.
@@ -114,8 +126,9 @@ impl Scene {
     }
 }
 
-fn joined(meshes: &[Mesh]) -> Option<Bounds> {
-    let boxes = meshes.iter().filter_map(Mesh::bounds);
+fn joined(meshes: &[Mesh], volumes: &[Volume]) -> Option<Bounds> {
+    let of_meshes = meshes.iter().filter_map(Mesh::bounds);
+    let boxes = of_meshes.chain(volumes.iter().map(Volume::bounds));
     boxes.reduce(Bounds::joined)
 }
 

@@ -15,6 +15,22 @@ const HEAD: u64 = 4096;
 
 /// The file's bytes, which look like text (there is no NUL in its head).
 pub(super) fn read(path: &Path) -> Result<Vec<u8>> {
+    expect_readable(path)?;
+    read_text(path).map_err(|error| unreadable(path, &error))?
+}
+
+/// The file's bytes, whatever they are.
+pub(super) fn read_bytes(path: &Path) -> Result<Vec<u8>> {
+    expect_readable(path)?;
+    let read = || -> std::io::Result<Vec<u8>> {
+        let mut bytes = Vec::new();
+        File::open(path)?.take(MAX_BYTES).read_to_end(&mut bytes)?;
+        Ok(bytes)
+    };
+    read().map_err(|error| unreadable(path, &error))
+}
+
+fn expect_readable(path: &Path) -> Result<()> {
     let metadata = fs::metadata(path).map_err(|error| unreadable(path, &error))?;
     if metadata.is_dir() {
         let what = "this is a directory, not a file";
@@ -35,7 +51,7 @@ pub(super) fn read(path: &Path) -> Result<Vec<u8>> {
             "Split it into several files, or simplify the model.",
         ));
     }
-    read_text(path).map_err(|error| unreadable(path, &error))?
+    Ok(())
 }
 
 /// The outer error is the system's, the inner one ours.

@@ -1,4 +1,4 @@
-//! Moving a mesh.
+//! Moving meshes and volumes.
 
 use glam::{DAffine3, DMat3, DQuat, DVec3};
 
@@ -13,7 +13,7 @@ pub struct Transform {
     pub axis: DVec3,
     /// The angle of the rotation in degrees, counter-clockwise for an eye that the axis points at.
     pub degrees: f64,
-    /// Factors along x, y and z, none of them zero. An odd number of negative ones mirrors the mesh; its outside
+    /// Factors along x, y and z, none of them zero. An odd number of negative ones mirrors; a mesh's outside
     /// stays outside.
     pub scale: DVec3,
 }
@@ -29,6 +29,18 @@ impl Default for Transform {
     }
 }
 
+impl Transform {
+    /// The same as one map.
+    pub fn to_affine(&self) -> DAffine3 {
+        DAffine3::from_scale_rotation_translation(self.scale, self.rotation(), self.translate)
+    }
+
+    fn rotation(&self) -> DQuat {
+        let axis = self.axis.normalize_or(DVec3::Y);
+        DQuat::from_axis_angle(axis, self.degrees.to_radians())
+    }
+}
+
 impl Mesh {
     /// The same mesh elsewhere. A coordinate beyond the range of f32 becomes infinite: [`Mesh::is_finite`].
     #[must_use]
@@ -36,16 +48,10 @@ impl Mesh {
         if *transform == Transform::default() {
             return self;
         }
-        let axis = transform.axis.normalize_or(DVec3::Y);
-        let rotation = DQuat::from_axis_angle(axis, transform.degrees.to_radians());
-        let to_world = DAffine3::from_scale_rotation_translation(
-            transform.scale,
-            rotation,
-            transform.translate,
-        );
+        let to_world = transform.to_affine();
         // Normals take the inverse scale, so that they stay perpendicular to what they stand on.
         let for_normals =
-            DMat3::from_quat(rotation) * DMat3::from_diagonal(transform.scale.recip());
+            DMat3::from_quat(transform.rotation()) * DMat3::from_diagonal(transform.scale.recip());
         for vertex in &mut self.vertices {
             let position = to_world.transform_point3(vertex.position.as_dvec3());
             let normal = for_normals * vertex.normal.as_dvec3();

@@ -79,6 +79,7 @@ impl Stack {
                 far: FAR,
             },
             meshes,
+            volumes: Vec::new(),
             notices: Vec::new(),
         }
     }

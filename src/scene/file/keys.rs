@@ -115,6 +115,17 @@ impl<'a> Keys<'a> {
         })
     }
 
+    /// Any number of four numbers, as 32 bits.
+    pub(super) fn fours32(&self, key: &'a str, limits: &Limits) -> Result<Option<Vec<[f32; 4]>>> {
+        let wanted =
+            "a list of four numbers each, as in [[0.0, 0.0, 0.0, 1.0], [1.0, 0.0, 0.0, -1.0]]";
+        self.read(key, |value| {
+            let items = value.items(wanted)?;
+            let fours = items.map(|item| item.exactly(wanted, |x| x.number32(limits)));
+            fours.collect()
+        })
+    }
+
     /// A whole number within a range.
     pub(super) fn integer(&self, key: &'a str, range: &RangeInclusive<u64>) -> Result<Option<u64>> {
         self.read(key, |value| value.integer(range))

@@ -44,3 +44,15 @@ pub(super) const FACTOR: Limits = Limits {
     words: "a factor other than 0, of a size from 1e-6 to 1e6",
     allow: |x| (1e-6..=1e6).contains(&x.abs()),
 };
+
+/// Extinctions per world unit.
+pub(super) const DENSITY: Limits = Limits {
+    words: "a number from 0 to 1e6",
+    allow: |x| (0.0..=1e6).contains(&x),
+};
+
+/// Sampling distances in voxels. A smaller one would take for ever, a larger one is no sampling.
+pub(super) const STEP: Limits = Limits {
+    words: "a number of voxels from 0.001 to 1000",
+    allow: |x| (1e-3..=1e3).contains(&x),
+};

@@ -2,16 +2,13 @@
 
 use std::path::Path;
 
-use glam::DVec3;
-
-use super::generator;
 use super::keys::Keys;
-use super::limits::{ANY, FACTOR, FRACTION};
+use super::limits::FRACTION;
+use super::{generator, transform};
 use crate::error::Result;
 use crate::scene::generate::MAX_TRIANGLES;
 use crate::scene::mesh::{Mesh, Shading};
 use crate::scene::obj::{self, Paint};
-use crate::scene::transform::Transform;
 
 /// All meshes of a file, in its order.
 #[derive(Default)]
@@ -117,7 +114,7 @@ fn paint(keys: &Keys) -> Result<Paint> {
 
 /// What holds for files and generators alike.
 fn finish(keys: &Keys, loaded: &mut Loaded, first: usize) -> Result<()> {
-    let transform = transform(keys)?;
+    let transform = transform::read(keys)?;
     let shading = keys.choice("shading", &SHADINGS)?.unwrap_or_default();
     let inside = keys.vector32("inside", &FRACTION)?;
     let sorted = keys.flag("sorted")?.unwrap_or(false);
@@ -147,34 +144,4 @@ fn finish(keys: &Keys, loaded: &mut Loaded, first: usize) -> Result<()> {
         }
     }
     Ok(())
-}
-
-fn transform(keys: &Keys) -> Result<Transform> {
-    let Some(keys) = keys.table("transform", "a transform")? else {
-        return Ok(Transform::default());
-    };
-    keys.expect_only(&["scale", "rotate", "translate"])?;
-    let mut transform = Transform::default();
-    if let Some(rotate) = keys.table("rotate", "a rotation")? {
-        rotate.expect_only(&["axis", "degrees"])?;
-        let missing = "Write rotate = { axis = [0, 1, 0], degrees = 30 }.";
-        let axis = rotate.vector("axis", &ANY)?;
-        let axis = axis.ok_or_else(|| rotate.wrong("axis", "`axis` is missing", missing))?;
-        let degrees = rotate.number("degrees", &ANY)?;
-        transform.degrees =
-            degrees.ok_or_else(|| rotate.wrong("degrees", "`degrees` is missing", missing))?;
-        transform.axis = DVec3::from_array(axis)
-            .try_normalize()
-            .ok_or_else(|| rotate.wrong("axis", "an axis of length zero", missing))?;
-    }
-    if let Some(translate) = keys.vector("translate", &ANY)? {
-        transform.translate = DVec3::from_array(translate);
-    }
-    transform.scale = if keys.is_list("scale") {
-        keys.vector("scale", &FACTOR)?.map(DVec3::from_array)
-    } else {
-        keys.number("scale", &FACTOR)?.map(DVec3::splat)
-    }
-    .unwrap_or(DVec3::ONE);
-    Ok(transform)
 }

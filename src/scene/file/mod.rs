@@ -20,6 +20,15 @@
 //! inside = [0.0, 0.6, 0.0]         # two-sided shading only; `color` if left out
 //! sorted = false
 //! transform = { scale = 2.0, rotate = { axis = [0, 1, 0], degrees = 30 }, translate = [0, 1, 0] }
+//!
+//! [[volume]]
+//! file = "potential.nhdr"          # .nrrd, .nhdr, .nii, .nii.gz, .vti; or: generate = "ball" and its parameters
+//! step = 0.5                       # sampling distance in voxels
+//! transfer = [                     # see Transfer; in the order of the values
+//!   { value = 0.0, color = [1.0, 1.0, 1.0], density = 0.0 },
+//!   { value = 5.0, color = [0.1, 0.2, 0.9], density = 0.4 },
+//! ]
+//! transform = { translate = [0, 1, 0] }
 //! ```
 //!
 //! A transform scales first (by one factor or by three), then rotates about the origin, then moves.
@@ -31,7 +40,10 @@ mod limits;
 mod mesh;
 mod nearest;
 mod place;
+mod transform;
 mod value;
+mod volume;
+mod volume_generator;
 
 use std::path::Path;
 
@@ -53,30 +65,26 @@ pub(super) fn load(path: &Path, size: Option<[u32; 2]>) -> Result<Scene> {
     let document = Document { path, text: &text };
     let table = DeTable::parse(&text).map_err(|error| unparsed(&document, &error))?;
     let keys = Keys::top(document, &table);
-    if let Some(volume) = keys
-        .tables("volume", "[[volume]]")
-        .unwrap_or_default()
-        .first()
-    {
-        return Err(volume.wrong(
-            "file",
-            "volumes cannot be rendered yet",
-            "Take the [[volume]] out of the scene file.",
-        ));
-    }
-    keys.expect_only(&["size", "background", "camera", "mesh"])?;
+    keys.expect_only(&["size", "background", "camera", "mesh", "volume"])?;
     let of_file = keys.integers("size", &(1..=65535))?;
     let of_file = of_file.map(|size| size.map(|pixels| pixels as u32));
     let size = size.or(of_file).unwrap_or(Scene::DEFAULT_SIZE);
     let background = keys.vector32("background", &FRACTION)?.unwrap_or_default();
     let camera = camera::Wish::read(&keys)?;
-    let Loaded { meshes, notices } = mesh::load_all(&keys)?;
+    let Loaded {
+        meshes,
+        mut notices,
+    } = mesh::load_all(&keys)?;
+    let of_volumes = volume::load_all(&keys)?;
+    notices.extend(of_volumes.notices);
+    let volumes = of_volumes.volumes;
     Ok(Scene {
         name: stem(path),
         size,
         background,
-        camera: camera.fit(joined(&meshes), size)?,
+        camera: camera.fit(joined(&meshes, &volumes), size)?,
         meshes,
+        volumes,
         notices,
     })
 }

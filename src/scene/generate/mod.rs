@@ -27,6 +27,7 @@ mod teapot;
 #[rustfmt::skip]
 mod teapot_patches;
 mod torus_knot;
+mod volumes;
 
 pub use cone::{Cone, cone};
 pub use order::Order;
@@ -36,6 +37,11 @@ pub use slices::{Slices, slices};
 pub use soup::{Soup, soup};
 pub use teapot::{Teapot, teapot};
 pub use torus_knot::{TorusKnot, torus_knot};
+pub use volumes::{
+    Atom, Ball, Constant, Ejection, EjectionPart, Gradient, Lattice, Potential, SheppLogan, Swirl,
+    ball, constant, ejection, gradient, potential, shepp_logan, swirl,
+};
+pub(super) use volumes::{Field, sampled};
 
 use super::mesh::Mesh;
 use crate::error::{Error, Result};

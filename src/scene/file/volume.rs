@@ -1,0 +1,129 @@
+//! `[[volume]]`.
+
+use std::path::Path;
+
+use super::keys::Keys;
+use super::limits::{ANY, DENSITY, FRACTION, STEP};
+use super::{transform, volume_generator};
+use crate::error::{Error, Result};
+use crate::scene::volume::{self, Transfer, TransferPoint, Volume};
+
+/// All volumes of a file, in its order.
+#[derive(Default)]
+pub(super) struct Loaded {
+    pub(super) volumes: Vec<Volume>,
+    pub(super) notices: Vec<String>,
+}
+
+/// The keys of every volume, wherever it comes from.
+const COMMON: [&str; 3] = ["step", "transfer", "transform"];
+/// The most samples that one scene file generates: 2 GiB of them.
+const MOST_GENERATED: u64 = volume::MAX_SAMPLES;
+
+pub(super) fn load_all(top: &Keys) -> Result<Loaded> {
+    let mut loaded = Loaded::default();
+    let mut generated = 0;
+    for keys in top.tables("volume", "[[volume]]")? {
+        // What is wrong with the look is said before a large file is read.
+        let volume = match (keys.text("file")?, keys.text("generate")?) {
+            (Some(_), Some(_)) => {
+                let what = "a volume is either read from a file or generated";
+                let remedy = "Take out `file` or `generate`, or make two [[volume]] of it.";
+                return Err(keys.wrong("generate", what, remedy));
+            }
+            (None, None) => return Err(without_samples(&keys)),
+            (Some(file), None) => {
+                keys.expect_only(&[&["file"], &COMMON[..]].concat())?;
+                let look = Look::read(&keys)?;
+                let folder = keys.document.path.parent().unwrap_or(Path::new(""));
+                let read = volume::load(&folder.join(file))?;
+                loaded.notices.extend(read.notices);
+                look.give(&keys, read.volume)?
+            }
+            (None, Some(_)) => {
+                let volume = volume_generator::read(&keys, &COMMON)?;
+                generated += volume.samples().len() as u64;
+                if generated > MOST_GENERATED {
+                    let what = format!(
+                        "this and the volumes before it make {generated} samples, at most {MOST_GENERATED} are generated"
+                    );
+                    return Err(keys.wrong("samples", what, "Ask for fewer."));
+                }
+                Look::read(&keys)?.give(&keys, volume)?
+            }
+        };
+        loaded.volumes.push(volume);
+    }
+    Ok(loaded)
+}
+
+fn without_samples(keys: &Keys) -> Error {
+    // A misspelt key is the likelier mistake.
+    let known = [&["file", "generate"], &COMMON[..]].concat();
+    keys.expect_only(&known).err().unwrap_or_else(|| {
+        let names = volume_generator::names();
+        keys.wrong(
+            "file",
+            "a volume without samples",
+            format!("Give `file = \"volume.nhdr\"`, or `generate` with one of: {names}."),
+        )
+    })
+}
+
+/// What a file says about a volume's look and place.
+struct Look {
+    step: f64,
+    transfer: Transfer,
+}
+
+impl Look {
+    fn read(keys: &Keys) -> Result<Self> {
+        Ok(Self {
+            step: keys.number("step", &STEP)?.unwrap_or(Volume::DEFAULT_STEP),
+            transfer: transfer(keys)?,
+        })
+    }
+
+    fn give(self, keys: &Keys, volume: Volume) -> Result<Volume> {
+        let transform = transform::read(keys)?;
+        let mut volume = volume
+            .transformed(&transform)
+            .map_err(|error| match error {
+                Error::Usage { what, remedy } => keys.wrong("transform", what, remedy),
+                other => other,
+            })?;
+        volume.step = self.step;
+        volume.transfer = self.transfer;
+        Ok(volume)
+    }
+}
+
+fn transfer(keys: &Keys) -> Result<Transfer> {
+    const MISSING: &str = "Write transfer = [{ value = 0, color = [1, 1, 1], density = 0 }, ...], in the order of the values.";
+    let points: Vec<TransferPoint> = keys
+        .tables("transfer", "a point of a transfer function")?
+        .iter()
+        .map(|point| {
+            point.expect_only(&["value", "color", "density"])?;
+            let missing = |key: &str| point.wrong(key, format!("`{key}` is missing"), MISSING);
+            let value = point.number32("value", &ANY)?;
+            let color = point.vector32("color", &FRACTION)?;
+            let density = point.number32("density", &DENSITY)?;
+            Ok(TransferPoint {
+                value: value.ok_or_else(|| missing("value"))?,
+                color: color.ok_or_else(|| missing("color"))?,
+                density: density.ok_or_else(|| missing("density"))?,
+            })
+        })
+        .collect::<Result<_>>()?;
+    match volume::fault(&points) {
+        Some((_, what, _)) if points.is_empty() => {
+            Err(keys.wrong("transfer", format!("the transfer function {what}"), MISSING))
+        }
+        Some((number, what, remedy)) => {
+            let what = format!("the transfer function's point {number} {what}");
+            Err(keys.wrong("transfer", what, remedy))
+        }
+        None => Transfer::new(points),
+    }
+}

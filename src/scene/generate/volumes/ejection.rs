@@ -1,0 +1,95 @@
+//! Two fields of one event: what a sun throws out, as particles and as energy.
+
+use glam::DVec3;
+
+use super::{Field, Lattice, checked};
+use crate::error::Result;
+use crate::scene::Volume;
+use crate::scene::generate::Refusal;
+use crate::scene::generate::limits::within;
+
+/// A front that runs from the origin along x, in the manner of a coronal mass ejection. It is no simulation: two smooth
+/// fields that share a place and differ in shape, both 0 to 1.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Ejection {
+    /// Where it is sampled; the sun sits in the cube's middle.
+    pub lattice: Lattice,
+    /// Which of the two fields.
+    pub part: EjectionPart,
+    /// How far the front has come, as a part of half the cube's edge, 0.05 to 1.
+    pub front: f32,
+    /// Half the angle that the front spreads over, in degrees, 5 to 120.
+    pub spread: f32,
+}
+
+/// A field of the pair.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum EjectionPart {
+    /// The number of particles: a shell swept up by the front, and a wind that thins out with the distance squared.
+    #[default]
+    Particles,
+    /// The energy: dense at the front's nose, and a trail of it back to the sun.
+    Energy,
+}
+
+impl Default for Ejection {
+    /// Particles, two thirds of the way out.
+    fn default() -> Self {
+        Self {
+            lattice: Lattice::of(64),
+            part: EjectionPart::default(),
+            front: 0.65,
+            spread: 50.0,
+        }
+    }
+}
+
+/// One field of the pair, sampled.
+///
+/// # Errors
+/// A parameter is out of its range.
+pub fn ejection(parameters: &Ejection) -> Result<Volume> {
+    checked(parameters)
+}
+
+/// A bell, 1 in its middle and `width` wide.
+fn bell(x: f64, width: f64) -> f64 {
+    (-(x / width).powi(2)).exp()
+}
+
+impl Field for Ejection {
+    fn check(&self) -> Result<(), Refusal> {
+        within("front", self.front, [0.05, 1.0])?;
+        within("spread", self.spread, [5.0, 120.0])
+    }
+
+    fn lattice(&self) -> Lattice {
+        self.lattice
+    }
+
+    fn name(&self) -> &'static str {
+        "ejection"
+    }
+
+    fn value(&self, point: DVec3) -> f64 {
+        let point = point * 2.0 / f64::from(self.lattice.size);
+        let distance = point.length();
+        let angle = point.x.atan2(point.y.hypot(point.z)).to_degrees();
+        let aside = (90.0 - angle) / f64::from(self.spread);
+        // The front lags behind at its flanks.
+        let front = f64::from(self.front) * (1.0 - 0.15 * aside.powi(2)).max(0.5);
+        let behind = front - distance;
+        match self.part {
+            EjectionPart::Particles => {
+                let shell = bell(behind, 0.08) * bell(aside, 1.0);
+                let wind = 0.08 / (1.0 + 40.0 * distance.powi(2));
+                (0.9 * shell + wind).min(1.0)
+            }
+            EjectionPart::Energy => {
+                let nose = bell(behind, 0.12) * bell(aside, 0.5);
+                let trail = 0.35 * bell(aside, 0.3) * (1.0 - distance / front).clamp(0.0, 1.0);
+                (0.65 * nose + trail).min(1.0)
+            }
+        }
+    }
+}

@@ -1,0 +1,91 @@
+//! Volumes made by rule: scalar fields, sampled on a lattice.
+//!
+//! Each fills a cube around the origin. In a scene file the parameters are keys of the same names, next to
+//! `generate = "ball"` in a `[[volume]]`; what the values look like is the scene's transfer function.
+
+mod ball;
+mod constant;
+mod ejection;
+mod gradient;
+mod potential;
+mod shepp_logan;
+mod swirl;
+
+pub use ball::{Ball, ball};
+pub use constant::{Constant, constant};
+pub use ejection::{Ejection, EjectionPart, ejection};
+pub use gradient::{Gradient, gradient};
+pub use potential::{Atom, Potential, potential};
+pub use shepp_logan::{SheppLogan, shepp_logan};
+pub use swirl::{Swirl, swirl};
+
+use glam::{DAffine3, DVec3};
+
+use super::Refusal;
+use super::limits::{LENGTH, count_within, within};
+use crate::error::{Error, Result};
+use crate::scene::volume::Volume;
+
+/// The cube that a field fills, and how finely it is sampled.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lattice {
+    /// The cube's edge, 1e-6 to 1e6. It is centred at the origin.
+    pub size: f32,
+    /// Samples along each edge, 2 to 512; the first and the last lie on the cube's faces.
+    pub samples: u32,
+}
+
+impl Lattice {
+    /// A cube from -1 to 1.
+    pub const fn of(samples: u32) -> Self {
+        Self { size: 2.0, samples }
+    }
+
+    fn check(&self) -> Result<(), Refusal> {
+        within("size", self.size, LENGTH)?;
+        count_within("samples", self.samples, [2, 512])
+    }
+}
+
+/// What all fields can do.
+pub(in crate::scene) trait Field {
+    /// Whether every parameter is in its range; the lattice's are checked elsewhere.
+    fn check(&self) -> Result<(), Refusal>;
+
+    /// Where it is sampled.
+    fn lattice(&self) -> Lattice;
+
+    /// Its name in scene files.
+    fn name(&self) -> &'static str;
+
+    /// Its value at a point; only for parameters in their ranges.
+    fn value(&self, point: DVec3) -> f64;
+}
+
+/// The sampled field, if its parameters are in their ranges.
+pub(in crate::scene) fn sampled(field: &dyn Field) -> Result<Volume, Refusal> {
+    field.lattice().check()?;
+    field.check()?;
+    let Lattice { size, samples } = field.lattice();
+    let spacing = f64::from(size) / f64::from(samples - 1);
+    let first = DVec3::splat(-f64::from(size) / 2.0);
+    let index_to_world = DAffine3 {
+        matrix3: glam::DMat3::from_diagonal(DVec3::splat(spacing)),
+        translation: first,
+    };
+    let along = |i: u32| f64::from(i) * spacing;
+    let values = (0..samples)
+        .flat_map(|z| (0..samples).flat_map(move |y| (0..samples).map(move |x| [x, y, z])))
+        .map(|index| field.value(first + DVec3::from_array(index.map(along))) as f32)
+        .collect();
+    let dims = [samples as usize; 3];
+    Ok(Volume::new(field.name(), dims, values, index_to_world)
+        .expect("a field in its ranges has finite values"))
+}
+
+fn checked(field: &dyn Field) -> Result<Volume> {
+    sampled(field).map_err(|refusal| Error::usage(refusal.what, refusal.remedy))
+}
+
+/// Stored values: finite, and far from where f32 ends.
+const VALUE: [f32; 2] = [-1e6, 1e6];

@@ -1,0 +1,99 @@
+//! What every volume must be, wherever it comes from. Said as what is wrong and what to do.
+
+use glam::DAffine3;
+
+use super::MAX_SAMPLES;
+
+/// What is wrong, and what to do.
+pub(super) type Fault = (String, &'static str);
+
+/// How many samples there are. Each axis needs two, or there would be nothing between them.
+pub(super) fn dims(dims: [usize; 3]) -> Result<usize, Fault> {
+    if let Some(short) = dims.iter().find(|&&count| count < 2) {
+        return Err((
+            format!("{short} samples along an axis of {}", shown(dims)),
+            "Give a volume with at least 2 samples along each axis.",
+        ));
+    }
+    let count = dims.into_iter().try_fold(1_u64, |product, count| {
+        product.checked_mul(u64::try_from(count).ok()?)
+    });
+    match count {
+        Some(count) if count <= MAX_SAMPLES => Ok(count as usize),
+        _ => Err((
+            format!("{} are more than {MAX_SAMPLES} samples", shown(dims)),
+            "Crop it or take every other sample.",
+        )),
+    }
+}
+
+/// There must be as many samples as said.
+pub(super) fn count(dims: [usize; 3], found: usize) -> Result<(), Fault> {
+    if dims.iter().product::<usize>() == found {
+        return Ok(());
+    }
+    Err((
+        format!("{} samples for {}", found, shown(dims)),
+        "Give x times y times z samples.",
+    ))
+}
+
+/// A value that is not a number has no colour, and those around it would have none either.
+pub(super) fn samples(samples: &[f32]) -> Result<(), Fault> {
+    match samples.iter().position(|sample| !sample.is_finite()) {
+        None => Ok(()),
+        Some(place) => Err((
+            format!(
+                "its sample number {place} is {}, as 32 bits",
+                samples[place]
+            ),
+            "Replace what is not a finite number by a value that is transparent.",
+        )),
+    }
+}
+
+/// Lengths beyond these are mistakes, and would take the products that are made of them out of range.
+const LENGTHS: std::ops::RangeInclusive<f64> = 1e-12..=1e12;
+
+/// How much longer than wide a voxel may be.
+const LONGEST_VOXEL: f64 = 1e3;
+
+/// Axes of a sensible length that span a body.
+pub(super) fn placement(index_to_world: &DAffine3) -> Result<(), Fault> {
+    let axes = index_to_world.matrix3;
+    let lengths = [axes.x_axis, axes.y_axis, axes.z_axis].map(glam::DVec3::length);
+    if let Some(length) = lengths.into_iter().find(|length| !LENGTHS.contains(length)) {
+        return Err((
+            format!("neighbouring samples are {length} apart"),
+            "Give finite spacings of a size from 1e-12 to 1e12.",
+        ));
+    }
+    if !(0.0..=*LENGTHS.end()).contains(&index_to_world.translation.length()) {
+        return Err((
+            format!("its first sample is at {}", index_to_world.translation),
+            "Give finite coordinates of at most 1e12.",
+        ));
+    }
+    // So that a ray through a volume has no more samples than its sizes account for.
+    let [shortest, longest] =
+        [f64::min, f64::max].map(|pick| lengths.into_iter().reduce(pick).unwrap_or(1.0));
+    if longest > LONGEST_VOXEL * shortest {
+        return Err((
+            format!("its voxels are {longest} long and {shortest} wide"),
+            "Give spacings of similar sizes, at most 1 to 1000.",
+        ));
+    }
+    // Relative to a cuboid of the same lengths, so that thin volumes are welcome.
+    let fullness = axes.determinant().abs() / lengths.into_iter().product::<f64>();
+    if !(1e-6..).contains(&fullness) {
+        return Err((
+            "its axes lie in one plane".into(),
+            "Give three directions that span a body.",
+        ));
+    }
+    Ok(())
+}
+
+fn shown([x, y, z]: [usize; 3]) -> String {
+    format!("{x} x {y} x {z}")
+}

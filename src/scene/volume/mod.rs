@@ -1,0 +1,178 @@
+//! Volumes: samples on a lattice that stands anywhere in the world.
+//!
+//! The samples are points, not cells: the lattice of `dims` points fills the parallelepiped from the first sample to the
+//! last one along each axis, its *proxy box*, and there is nothing outside of it. Between the samples values are
+//! interpolated trilinearly. A volume read from a file stands where the file says; its [`Transform`] comes on top.
+
+mod check;
+mod gzip;
+mod load;
+mod nifti;
+mod nrrd;
+mod samples;
+mod transfer;
+mod vti;
+
+use glam::{DAffine3, DVec3};
+
+pub(super) use load::load;
+pub(super) use transfer::fault;
+pub use transfer::{Medium, Transfer, TransferPoint};
+
+use super::bounds::Bounds;
+use super::transform::Transform;
+use crate::error::{Error, Result};
+
+/// Samples on a lattice, where they stand, and what they look like.
+#[derive(Clone, Debug)]
+pub struct Volume {
+    /// Name for messages: the file's stem or the generator's name.
+    pub name: String,
+    /// What the stored values look like.
+    pub transfer: Transfer,
+    /// Sampling distance along a ray in voxels, greater than 0. See [`Volume::sampling_distance`].
+    pub step: f64,
+    dims: [usize; 3],
+    samples: Vec<f32>,
+    index_to_world: DAffine3,
+    world_to_index: DAffine3,
+}
+
+/// The most samples of a volume: 512 Mi, which take 2 GiB.
+pub const MAX_SAMPLES: u64 = 512 << 20;
+
+impl Volume {
+    /// The sampling distance that nobody asked otherwise for, in voxels.
+    pub const DEFAULT_STEP: f64 = 0.5;
+
+    /// A volume of `dims` samples, x fastest, with the sample (i, j, k) at `index_to_world` (i, j, k).
+    ///
+    /// # Errors
+    /// An axis has fewer than 2 samples, there are more than [`MAX_SAMPLES`] or not as many as `dims` says, one is not
+    /// finite, or the placement is not finite or flat.
+    pub fn new(
+        name: impl Into<String>,
+        dims: [usize; 3],
+        samples: Vec<f32>,
+        index_to_world: DAffine3,
+    ) -> Result<Self> {
+        let name = name.into();
+        let fault = check::dims(dims)
+            .err()
+            .or_else(|| check::count(dims, samples.len()).err())
+            .or_else(|| check::samples(&samples).err())
+            .or_else(|| check::placement(&index_to_world).err());
+        if let Some((what, remedy)) = fault {
+            return Err(Error::usage(format!("the volume '{name}': {what}"), remedy));
+        }
+        Ok(Self {
+            name,
+            transfer: Transfer::default(),
+            step: Self::DEFAULT_STEP,
+            dims,
+            samples,
+            index_to_world,
+            world_to_index: index_to_world.inverse(),
+        })
+    }
+
+    /// How many samples there are along each of its axes, 2 or more.
+    pub fn dims(&self) -> [usize; 3] {
+        self.dims
+    }
+
+    /// The samples, x fastest, all finite.
+    pub fn samples(&self) -> &[f32] {
+        &self.samples
+    }
+
+    /// From a sample's indices to its place in the world.
+    pub fn index_to_world(&self) -> DAffine3 {
+        self.index_to_world
+    }
+
+    /// From the world to indices, whole ones at the samples.
+    pub fn world_to_index(&self) -> DAffine3 {
+        self.world_to_index
+    }
+
+    /// The value at a world point; `None` outside of the proxy box.
+    pub fn at(&self, world: DVec3) -> Option<f64> {
+        let index = self.world_to_index.transform_point3(world);
+        let inside = index.cmpge(DVec3::ZERO).all() && index.cmple(self.last()).all();
+        inside.then(|| self.at_index(index))
+    }
+
+    /// The value between samples, by indices; those outside are moved to the proxy box's surface.
+    pub fn at_index(&self, index: DVec3) -> f64 {
+        let index = index.clamp(DVec3::ZERO, self.last());
+        let [nx, ny, _] = self.dims;
+        // The cell that the point is in, the last one for a point at the very end.
+        let cell: [usize; 3] =
+            std::array::from_fn(|axis| (index[axis] as usize).min(self.dims[axis] - 2));
+        let [x, y, z]: [f64; 3] = std::array::from_fn(|axis| index[axis] - cell[axis] as f64);
+        let first = cell[0] + nx * (cell[1] + ny * cell[2]);
+        let mix = |from: f64, to: f64, part: f64| from + (to - from) * part;
+        let along_x = |row: usize| {
+            let [from, to] = [self.samples[row], self.samples[row + 1]].map(f64::from);
+            mix(from, to, x)
+        };
+        let along_y = |slice: usize| mix(along_x(slice), along_x(slice + nx), y);
+        mix(along_y(first), along_y(first + nx * ny), z)
+    }
+
+    /// The indices of the last sample.
+    pub fn last(&self) -> DVec3 {
+        DVec3::from_array(self.dims.map(|count| (count - 1) as f64))
+    }
+
+    /// The proxy box's corners in the world: bit 0 of a corner's number for the end of x, bit 1 of y, bit 2 of z.
+    pub fn corners(&self) -> [DVec3; 8] {
+        let index = Bounds {
+            min: DVec3::ZERO,
+            max: self.last(),
+        };
+        index
+            .corners()
+            .map(|corner| self.index_to_world.transform_point3(corner))
+    }
+
+    /// The axis-aligned box around its corners.
+    pub fn bounds(&self) -> Bounds {
+        Bounds::of(self.corners()).expect("there are eight corners")
+    }
+
+    /// The smallest distance between neighbouring samples along an axis, in world units.
+    pub fn voxel(&self) -> f64 {
+        let axes = self.index_to_world.matrix3;
+        let lengths = [axes.x_axis, axes.y_axis, axes.z_axis].map(DVec3::length);
+        lengths.into_iter().fold(f64::INFINITY, f64::min)
+    }
+
+    /// [`Volume::step`] in world units. Where several volumes overlap, the smallest of theirs is taken.
+    pub fn sampling_distance(&self) -> f64 {
+        self.step * self.voxel()
+    }
+
+    /// The same volume with another look.
+    #[must_use]
+    pub fn with_transfer(mut self, transfer: Transfer) -> Self {
+        self.transfer = transfer;
+        self
+    }
+
+    /// The same volume elsewhere.
+    ///
+    /// # Errors
+    /// This takes it out of the range of numbers, or makes it flat.
+    pub fn transformed(mut self, transform: &Transform) -> Result<Self> {
+        let moved = transform.to_affine() * self.index_to_world;
+        if let Err((what, remedy)) = check::placement(&moved) {
+            let what = format!("the volume '{}', transformed: {what}", self.name);
+            return Err(Error::usage(what, remedy));
+        }
+        self.index_to_world = moved;
+        self.world_to_index = moved.inverse();
+        Ok(self)
+    }
+}

@@ -1,0 +1,208 @@
+//! The header's lines, each field with where it stands.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use crate::error::{Error, Place, Result};
+
+/// The header's fields and where they end.
+pub(super) struct Header<'a> {
+    path: &'a Path,
+    fields: BTreeMap<&'static str, Field>,
+    /// Where an attached header's samples begin.
+    pub(super) end: usize,
+}
+
+/// What stands after a field's colon.
+pub(super) struct Field {
+    line: usize,
+    pub(super) text: String,
+}
+
+/// Every field of the format. The first list is used; nothing in an image depends on the second.
+const USED: [&str; 12] = [
+    "dimension",
+    "type",
+    "encoding",
+    "endian",
+    "sizes",
+    "spacings",
+    "space directions",
+    "space origin",
+    "data file",
+    "line skip",
+    "byte skip",
+    "space dimension",
+];
+const UNUSED: [&str; 19] = [
+    "space",
+    "content",
+    "number",
+    "block size",
+    "thicknesses",
+    "axis mins",
+    "axis maxs",
+    "centers",
+    "centerings",
+    "labels",
+    "units",
+    "kinds",
+    "min",
+    "max",
+    "old min",
+    "old max",
+    "sample units",
+    "space units",
+    "measurement frame",
+];
+/// Of those, the ones that a reader may expect to place the volume.
+const PLACING: [&str; 2] = ["axis mins", "axis maxs"];
+
+impl<'a> Header<'a> {
+    pub(super) fn parse(path: &'a Path, bytes: &[u8]) -> Result<Self> {
+        let mut header = Self {
+            path,
+            fields: BTreeMap::new(),
+            end: 0,
+        };
+        let mut number = 0;
+        while let Some(line) = header.next_line(bytes) {
+            number += 1;
+            if number == 1 {
+                expect_magic(path, line)?;
+            } else if line.is_empty() {
+                break;
+            } else if line[0] != b'#' {
+                header.add(number, &String::from_utf8_lossy(line))?;
+            }
+        }
+        if number == 0 {
+            expect_magic(path, b"")?;
+        }
+        Ok(header)
+    }
+
+    /// The line at `end`, without its end; moves on behind it.
+    fn next_line<'b>(&mut self, bytes: &'b [u8]) -> Option<&'b [u8]> {
+        let rest = &bytes[self.end..];
+        if rest.is_empty() {
+            return None;
+        }
+        let length = rest.iter().position(|&byte| byte == b'\n');
+        let line = &rest[..length.unwrap_or(rest.len())];
+        self.end += length.map_or(rest.len(), |length| length + 1);
+        Some(line.strip_suffix(b"\r").unwrap_or(line))
+    }
+
+    fn add(&mut self, line: usize, text: &str) -> Result<()> {
+        let place = || Place::line(self.path, line);
+        let Some((name, value)) = text.split_once(':') else {
+            return Err(Error::input(
+                place().token(text),
+                "this is not a field of a NRRD header",
+                "Fields are written `name: value`; an empty line ends the header.",
+            ));
+        };
+        if value.starts_with('=') {
+            // A key and its value: notes for people and programs, which change nothing here.
+            return Ok(());
+        }
+        let known = USED.into_iter().chain(UNUSED);
+        let squeezed = |text: &str| text.replace(' ', "").to_ascii_lowercase();
+        let Some(name) = known
+            .into_iter()
+            .find(|known| squeezed(known) == squeezed(name))
+        else {
+            return Err(Error::input(
+                place().token(name),
+                "there is no such field in a NRRD header",
+                "Correct or remove it; a note of your own is written `name:=value`.",
+            ));
+        };
+        let text = value.trim().to_owned();
+        if self.fields.insert(name, Field { line, text }).is_some() {
+            return Err(Error::input(
+                Place::line(self.path, line).token(name),
+                format!("the field `{name}` is there twice"),
+                "Remove one of the two.",
+            ));
+        }
+        Ok(())
+    }
+
+    pub(super) fn optional(&self, name: &str) -> Option<&Field> {
+        self.fields.get(name)
+    }
+
+    pub(super) fn required(&self, name: &str) -> Result<&Field> {
+        self.optional(name).ok_or_else(|| {
+            Error::input(
+                Place::file(self.path),
+                format!("the field `{name}` is missing from the header"),
+                format!("Add a line `{name}: ...`."),
+            )
+        })
+    }
+
+    /// A field of three words, each read by a rule.
+    pub(super) fn three<T: Copy>(
+        &self,
+        name: &str,
+        wanted: &str,
+        read: impl Fn(&str) -> Option<T>,
+    ) -> Result<[T; 3]> {
+        let words = self.required(name)?.text.split_whitespace().map(read);
+        let items: Option<Vec<T>> = words.collect();
+        items
+            .and_then(|items| <[T; 3]>::try_from(items).ok())
+            .ok_or_else(|| self.wrong(name, format!("these are not {wanted}"), "Correct the line."))
+    }
+
+    pub(super) fn integer(&self, name: &str) -> Result<Option<i64>> {
+        let Some(field) = self.optional(name) else {
+            return Ok(None);
+        };
+        let integer = field.text.parse().ok().filter(|&number| number >= -1);
+        match integer {
+            Some(number) => Ok(Some(number)),
+            None => Err(self.wrong(name, "this is not a whole number", "Correct the line.")),
+        }
+    }
+
+    /// The line of a field, its text as the token; the file if it is not there.
+    pub(super) fn place(&self, name: &str) -> Place {
+        match self.optional(name) {
+            Some(field) => Place::line(self.path, field.line).token(&field.text),
+            None => Place::file(self.path),
+        }
+    }
+
+    /// Something is wrong with a field.
+    pub(super) fn wrong(&self, name: &str, what: impl AsRef<str>, remedy: &str) -> Error {
+        let what = format!("`{name}`: {}", what.as_ref());
+        Error::input(self.place(name), what, remedy)
+    }
+
+    /// What the file says in vain.
+    pub(super) fn notices(&self) -> Vec<String> {
+        let found = PLACING.iter().filter(|name| self.optional(name).is_some());
+        let notice = |name: &&str| {
+            format!(
+                "{}: `{name}` is not used; spacings, space directions and space origin place a volume",
+                self.path.display()
+            )
+        };
+        found.map(notice).collect()
+    }
+}
+
+fn expect_magic(path: &Path, line: &[u8]) -> Result<()> {
+    if line.starts_with(b"NRRD000") {
+        return Ok(());
+    }
+    Err(Error::input(
+        Place::line(path, 1),
+        "this is not a NRRD file: it does not begin with NRRD000 and a digit",
+        "Check that its ending is right.",
+    ))
+}
