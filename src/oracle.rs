@@ -2,6 +2,8 @@
 //!
 //! One policy for equal depths, everywhere in onionskin: what was submitted first lies in front.
 
+pub mod volumes;
+
 use crate::fragment::{Fragment, Rgba};
 
 /// Composites the fragments of one pixel over an opaque background, in f64.

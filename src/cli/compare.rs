@@ -47,6 +47,9 @@ impl Compare {
         // What the methods are called is said before anything long begins.
         let mut methods = self.methods()?;
         let scene = self.setup.scene()?;
+        if self.method == "all" && !scene.volumes.is_empty() {
+            methods.retain(Method::renders_volumes);
+        }
         let context = self.setup.gl.context()?;
         if self.method == "all" {
             methods.retain(|method| runs_here(method, &context));

@@ -38,7 +38,7 @@ pub enum Method {
     IdealCoherentLayerPeeling(IdealOptions),
     /// A-buffers, Lindholm et al. 2015.
     ABuffer(ABufferOptions),
-    /// Every fragment captured, sorted and composited in f64.
+    /// Every fragment captured, sorted and composited in f64, with the volumes between them.
     Exact,
 }
 
@@ -264,6 +264,11 @@ impl Method {
             Self::ABuffer(options) => options.name(),
             Self::Exact => "exact",
         }
+    }
+
+    /// Whether it renders volumes, too; the others draw surfaces only, and refuse a scene with volumes.
+    pub const fn renders_volumes(&self) -> bool {
+        matches!(self, Self::Exact)
     }
 
     /// Its entry in the registry.

@@ -11,8 +11,8 @@ use super::hybrid_layer_peeling::HybridLayerPeeling;
 use super::ideal_coherent_layer_peeling::IdealCoherentLayerPeeling;
 use super::layer_peeling::LayerPeeling;
 use super::peeled::Peeled;
-use super::{Algorithm, Composited, Drawn, Method, Stats, blend, exact, painter};
-use crate::error::Result;
+use super::{Algorithm, Composited, Drawn, Method, Stats, blend, exact, painter, registry};
+use crate::error::{Error, Result};
 use crate::gl::{Context, Format, Geometry, GlMachine};
 use crate::image::Image;
 use crate::papers::vtk;
@@ -164,6 +164,7 @@ impl<'c> Renderer<'c> {
     }
 
     fn prepare(&mut self, scene: &Scene, method: &Method) -> Result<Box<dyn Algorithm>> {
+        expect_known(scene, method)?;
         self.set_up(scene)?;
         let machine = &mut self.machine;
         let mut algorithm: Box<dyn Algorithm> = match method {
@@ -297,4 +298,22 @@ impl<'c> Renderer<'c> {
         run(&COUNT, &[], Variables::new(), &mut self.machine)?;
         self.machine.samples(FRAGMENTS)
     }
+}
+
+/// A method that does not know volumes would leave them out in silence.
+fn expect_known(scene: &Scene, method: &Method) -> Result<()> {
+    if scene.volumes.is_empty() || method.renders_volumes() {
+        return Ok(());
+    }
+    let able = registry()
+        .iter()
+        .filter(|entry| entry.method.renders_volumes());
+    let able: Vec<_> = able.map(|entry| entry.name).collect();
+    Err(Error::usage(
+        format!(
+            "{method} draws surfaces only, and the scene has volumes ({})",
+            scene.volumes.len()
+        ),
+        format!("volumes are rendered by: {}", able.join(", ")),
+    ))
 }

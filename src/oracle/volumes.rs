@@ -1,0 +1,222 @@
+//! The oracle for scenes with volumes: between the sorted surfaces of a pixel the volumes are sampled along its ray.
+//!
+//! What Lindholm et al. 2015, section 6.1, do with a list of fragments is done here in f64 and from the camera alone: a
+//! ray through the pixel's centre, in world space. Each volume has its entry and its exit, where the ray crosses its
+//! proxy box; surfaces, entries and exits cut the ray into segments. In a segment all volumes that it is inside of are
+//! sampled together: their densities add up, their colours are weighted by them.
+
+use glam::DVec3;
+
+use super::under;
+use crate::fragment::{Fragment, Rgba};
+use crate::scene::{Camera, Medium, Volume};
+
+/// The ray through a pixel's centre.
+///
+/// Places on it are *distances*: lengths along the view direction, the near plane at `near`, the far plane at `far`. Its
+/// own length is longer than that towards the image's borders.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ray {
+    /// The eye, in the world.
+    pub origin: DVec3,
+    /// Where the ray gets in a distance of 1; its length is 1 in the image's middle and greater elsewhere.
+    pub direction: DVec3,
+    /// Where it begins.
+    pub near: f64,
+    /// Where it ends at the latest.
+    pub far: f64,
+}
+
+impl Ray {
+    /// The ray through the centre of the pixel in column `x` from the left and row `y` from the bottom.
+    pub fn through(camera: &Camera, [width, height]: [u32; 2], [x, y]: [u32; 2]) -> Self {
+        let forward = (camera.target - camera.eye).normalize();
+        let right = forward.cross(camera.up).normalize();
+        let up = right.cross(forward);
+        let [width, height] = [width, height].map(f64::from);
+        let half = (camera.fov.to_radians() / 2.0).tan();
+        let aside = (2.0 * (f64::from(x) + 0.5) / width - 1.0) * half * width / height;
+        let above = (2.0 * (f64::from(y) + 0.5) / height - 1.0) * half;
+        Self {
+            origin: camera.eye,
+            direction: forward + right * aside + up * above,
+            near: camera.near,
+            far: camera.far,
+        }
+    }
+
+    /// The distance of a window-space depth, 0 to 1.
+    pub fn distance(&self, depth: f32) -> f64 {
+        let Self { near, far, .. } = *self;
+        near * far / (far - f64::from(depth) * (far - near))
+    }
+}
+
+/// Composites the fragments of one pixel and what the volumes add between them over an opaque background, in f64.
+///
+/// Fragments are sorted, and left out at and behind `opaque_depth`, as by [`composite`](super::composite). The volumes
+/// are seen from the ray's beginning to the distance of `opaque_depth`, wherever the ray enters or leaves them.
+///
+/// A segment is sampled in steps of the smallest [`Volume::sampling_distance`] of the volumes that it is inside of; the
+/// last step is cut to the segment's end. Each step takes colour and density from its middle, and its opacity from its
+/// length: 1 - exp(-density x length).
+pub fn composite(
+    fragments: &mut Vec<Fragment>,
+    opaque_depth: f32,
+    background: Rgba,
+    ray: &Ray,
+    volumes: &[Volume],
+) -> [f64; 4] {
+    fragments.retain(|fragment| fragment.depth < opaque_depth);
+    fragments.sort_by(|a, b| a.depth.total_cmp(&b.depth).then(a.order.cmp(&b.order)));
+    let end = ray.distance(opaque_depth);
+    let crossings: Vec<_> = volumes
+        .iter()
+        .filter_map(|volume| Crossing::of(ray, end, volume))
+        .collect();
+    let mut seen = Seen {
+        image: [0.0; 3],
+        visible: 1.0,
+    };
+    let mut inside = vec![false; crossings.len()];
+    let mut at = ray.near;
+    for (distance, event) in events(ray, fragments, &crossings) {
+        let occupied = crossings.iter().zip(&inside).filter(|(_, inside)| **inside);
+        seen.cast(ray, [at, distance], occupied.map(|(crossing, _)| crossing));
+        at = distance;
+        match event {
+            Event::Surface(color) => under(&mut seen.image, &mut seen.visible, color),
+            Event::Enter(volume) => inside[volume] = true,
+            Event::Leave(volume) => inside[volume] = false,
+        }
+    }
+    under(&mut seen.image, &mut seen.visible, background);
+    let [r, g, b] = seen.image;
+    [r, g, b, 1.0 - seen.visible]
+}
+
+/// What happens to a ray at some distance.
+#[derive(Clone, Copy)]
+enum Event {
+    Surface(Rgba),
+    /// Into the volume of a crossing.
+    Enter(usize),
+    Leave(usize),
+}
+
+/// All that happens, nearest first; surfaces of one depth stay in their order.
+fn events(ray: &Ray, fragments: &[Fragment], crossings: &[Crossing]) -> Vec<(f64, Event)> {
+    let surfaces = fragments.iter().map(|fragment| {
+        let distance = ray.distance(fragment.depth);
+        (distance, Event::Surface(fragment.color))
+    });
+    let crossed = crossings.iter().enumerate();
+    let proxies = crossed.flat_map(|(i, crossing)| {
+        [
+            (crossing.enter, Event::Enter(i)),
+            (crossing.leave, Event::Leave(i)),
+        ]
+    });
+    let mut events: Vec<_> = surfaces.chain(proxies).collect();
+    events.sort_by(|(a, _), (b, _)| a.total_cmp(b));
+    events
+}
+
+/// A volume and where a ray is inside of it.
+struct Crossing<'v> {
+    volume: &'v Volume,
+    /// The ray in the volume's indices.
+    origin: DVec3,
+    direction: DVec3,
+    enter: f64,
+    leave: f64,
+}
+
+impl<'v> Crossing<'v> {
+    /// Where the ray, between its beginning and `end`, is between the planes of all three pairs of faces; nothing if
+    /// nowhere.
+    fn of(ray: &Ray, end: f64, volume: &'v Volume) -> Option<Self> {
+        let to_index = volume.world_to_index();
+        let origin = to_index.transform_point3(ray.origin);
+        let direction = to_index.transform_vector3(ray.direction);
+        let last = volume.last();
+        let (mut enter, mut leave) = (ray.near, end);
+        for axis in 0..3 {
+            if direction[axis] == 0.0 {
+                if !(0.0..=last[axis]).contains(&origin[axis]) {
+                    return None;
+                }
+                continue;
+            }
+            let first = -origin[axis] / direction[axis];
+            let second = (last[axis] - origin[axis]) / direction[axis];
+            enter = enter.max(first.min(second));
+            leave = leave.min(first.max(second));
+        }
+        (enter < leave).then_some(Self {
+            volume,
+            origin,
+            direction,
+            enter,
+            leave,
+        })
+    }
+
+    fn medium(&self, distance: f64) -> Medium {
+        let index = self.origin + self.direction * distance;
+        self.volume.transfer.at(self.volume.at_index(index))
+    }
+}
+
+/// What has been composited so far, and how much it still lets through.
+struct Seen {
+    image: [f64; 3],
+    visible: f64,
+}
+
+impl Seen {
+    /// Samples a segment of the ray.
+    fn cast<'c, 'v: 'c>(
+        &mut self,
+        ray: &Ray,
+        [from, to]: [f64; 2],
+        occupied: impl Iterator<Item = &'c Crossing<'v>> + Clone,
+    ) {
+        let distances = occupied
+            .clone()
+            .map(|crossing| crossing.volume.sampling_distance());
+        let Some(step) = distances.reduce(f64::min) else {
+            return;
+        };
+        let scale = ray.direction.length();
+        let length = (to - from) * scale;
+        let steps = (length / step).ceil() as u64;
+        for number in 0..steps {
+            let begin = number as f64 * step;
+            let end = (begin + step).min(length);
+            let middle = from + (begin + end) / (2.0 * scale);
+            self.add(
+                end - begin,
+                occupied.clone().map(|crossing| crossing.medium(middle)),
+            );
+        }
+    }
+
+    /// Puts a length of several media, mixed, under what there is.
+    fn add(&mut self, length: f64, media: impl Iterator<Item = Medium>) {
+        let (mut density, mut color) = (0.0, DVec3::ZERO);
+        for medium in media {
+            density += medium.density;
+            color += medium.color * medium.density;
+        }
+        if density == 0.0 {
+            return;
+        }
+        let opacity = -(-density * length).exp_m1();
+        let light = color * (self.visible * opacity / density);
+        for (channel, light) in self.image.iter_mut().zip(light.to_array()) {
+            *channel += light;
+        }
+        self.visible *= 1.0 - opacity;
+    }
+}
