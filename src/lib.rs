@@ -14,7 +14,7 @@
 //!    oracle                  sort and composite in f64; knows neither steps nor GL
 //! 2  papers/                 the listings, their amendments, the claims. Pure data
 //! 1  steps/                  the vocabulary: GL calls, passes, loops, queries; printing; diffing
-//!    scene/                  meshes, cameras, importers, generators. No GL
+//!    scene/                  meshes, volumes, cameras, importers, generators. No GL
 //! 0  fragment, image, error  plain types
 //! ```
 

@@ -83,3 +83,14 @@ fn the_molecules_camera_is_the_one_written_down() {
         [23.5, 95.6533, 166.8219]
     );
 }
+
+#[test]
+fn the_fog_has_a_vortex_and_a_ring() {
+    let scene = check("fog.toml", 1);
+    let names: Vec<_> = scene
+        .volumes
+        .iter()
+        .map(|volume| volume.name.as_str())
+        .collect();
+    assert_eq!(names, ["ball", "swirl"]);
+}

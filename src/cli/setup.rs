@@ -15,7 +15,7 @@ pub(super) const SCENE_FILES: &str = r#"Scene files:
   size = [1024, 768]              # pixels
   background = [1.0, 1.0, 1.0]    # linear RGB, 0 to 1
 
-  [camera]                        # what is left out is fitted to the meshes
+  [camera]                        # what is left out is fitted to what there is
   eye = [0.0, 0.0, 3.0]
   target = [0.0, 0.0, 0.0]
   up = [0.0, 1.0, 0.0]
@@ -25,7 +25,15 @@ pub(super) const SCENE_FILES: &str = r#"Scene files:
   file = "model.obj"              # starts at the scene file's folder
   color = [0.8, 0.55, 0.3]        # the model's own if left out
   opacity = 0.4                   # 1 is opaque
-  shading = "none"                # none (flat unlit colour), flat, lit, two-sided"#;
+  shading = "none"                # none (flat unlit colour), flat, lit, two-sided
+
+  [[volume]]                      # rendered by the method exact only
+  file = "volume.nhdr"            # .nrrd, .nhdr, .nii, .nii.gz, .vti
+  step = 0.5                      # sampling distance in voxels
+  transfer = [                    # linear between values; density is extinction per unit of length
+    { value = 0.0, color = [1.0, 1.0, 1.0], density = 0.0 },
+    { value = 5.0, color = [0.1, 0.2, 0.9], density = 0.4 },
+  ]"#;
 
 #[derive(Args)]
 pub(super) struct Setup {

@@ -1,0 +1,53 @@
+//! Volumes on the command line.
+
+mod cli_kit;
+use cli_kit::Desk;
+
+const SCENE: &str = "size = [16, 12]\n[[volume]]\ngenerate = \"ball\"\nsamples = 8\n\
+    transfer = [{ value = 0, color = [1, 0, 0], density = 0 }, { value = 1, color = [1, 0, 0], density = 2 }]\n";
+
+#[test]
+fn exact_renders_volumes_alone() {
+    let desk = Desk::new().with("scene.toml", SCENE);
+    desk.result(&["render", "scene.toml", "-m", "exact", "-o", "image.png"]);
+    let image = onionskin::Image::load(desk.path("image.png")).unwrap();
+    let middle = image.pixels[6 * 16 + 8];
+    assert!(middle.r > 0.5 && middle.g == 0.0, "{middle:?}");
+}
+
+#[test]
+fn other_methods_refuse_volumes_and_write_nothing() {
+    let desk = Desk::new().with("scene.toml", SCENE);
+    desk.refused(&[
+        "render",
+        "scene.toml",
+        "-m",
+        "depth-peeling",
+        "-o",
+        "image.png",
+    ])
+    .says(&["depth-peeling draws surfaces only", "volumes (1)", "exact"]);
+    desk.refused(&["compare", "scene.toml", "-m", "blend,exact"])
+        .says(&["blend draws surfaces only"]);
+}
+
+#[test]
+fn compare_takes_of_all_methods_those_that_can() {
+    let desk = Desk::new().with("scene.toml", SCENE);
+    let answer = desk.run(&["compare", "scene.toml", "--json"]);
+    let methods: Vec<_> = answer
+        .objects()
+        .iter()
+        .map(|object| object["method"].clone())
+        .collect();
+    assert_eq!(methods, ["exact"]);
+}
+
+#[test]
+fn a_volume_that_is_cut_off_is_refused_with_its_name() {
+    let scene = "[[volume]]\nfile = \"v.nrrd\"\ntransfer = [{ value = 0, color = [1, 0, 0], density = 0 }]\n";
+    let head = "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 400 400 400\nencoding: raw\n\n";
+    let desk = Desk::new().with("scene.toml", scene).with("v.nrrd", head);
+    desk.refused(&["render", "scene.toml", "-m", "exact", "-o", "image.png"])
+        .says(&["v.nrrd:4: '400 400 400'", "`sizes`", "there are 0"]);
+}
