@@ -1,7 +1,7 @@
 //! Which listings there are, by paper.
 
 use super::carr_2008::{coherent, hybrid, ideal, passes};
-use super::{bavoil_2008, everitt_2001, vasilakis_2013, vtk};
+use super::{bavoil_2008, everitt_2001, lindholm_2015, vasilakis_2013, vtk};
 use crate::steps::pseudo::{Algorithm, Line};
 use crate::steps::{Amendment, Listing};
 
@@ -72,6 +72,26 @@ pub const fn papers() -> &'static [Paper] {
                 ("algorithm-1", hybrid::ALGORITHM_1, &hybrid::AMENDMENTS_1),
                 ("algorithm-2", ideal::ALGORITHM_2, &ideal::AMENDMENTS_2),
             ],
+        },
+        Paper {
+            key: "lindholm",
+            citation: "Stefan Lindholm, Martin Falk, Erik Sundén, Anders Ynnerman, Timo Ropinski, Hybrid Data Visualization \
+                       Based on Depth Complexity Histogram Analysis, Computer Graphics Forum 2015",
+            listings: &[
+                ("complexity-image", lindholm_2015::COMPLEXITY_IMAGE, &[]),
+                (
+                    "clear-and-fill",
+                    lindholm_2015::CLEAR_AND_FILL,
+                    &[lindholm_2015::ORDERED],
+                ),
+                ("resolve", lindholm_2015::RESOLVE, &[]),
+                (
+                    "pp-ao",
+                    lindholm_2015::PP_AO,
+                    &[lindholm_2015::BY_COUNTER, lindholm_2015::NO_STENCIL],
+                ),
+            ],
+            algorithms: &[],
         },
         Paper {
             key: "bavoil",
