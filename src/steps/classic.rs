@@ -157,7 +157,7 @@ pub enum ClassicCall {
 impl ClassicCall {
     /// The call's name in GL or in the paper, and its arguments' names and values.
     pub(super) fn signature(&self) -> (&'static str, Vec<(&'static str, String)>) {
-        let gl = |func| format!("GL_{}", super::print::compare(func));
+        let gl = |func| format!("GL_{}", super::signature::compare(func));
         let parameter = |pname: &str, param: String| {
             let arguments = vec![
                 ("target", "GL_TEXTURE_2D".into()),

@@ -41,7 +41,7 @@ impl DrawBufferCall {
                 ("glBlendEquationi", arguments)
             }
             Self::BlendFunc { buf, src, dst } => {
-                let gl = |factor| format!("GL_{}", super::print::factor(factor));
+                let gl = |factor| format!("GL_{}", super::signature::factor(factor));
                 let arguments = vec![("buf", buf.to_string()), ("src", gl(src)), ("dst", gl(dst))];
                 ("glBlendFunci", arguments)
             }

@@ -36,6 +36,7 @@ mod listing;
 mod macros;
 pub mod print;
 pub mod pseudo;
+mod signature;
 mod trace;
 mod walk;
 
