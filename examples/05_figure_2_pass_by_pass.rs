@@ -2,7 +2,7 @@
 //! up to s4 has been peeled.
 //!
 //! The emulated pixel says what becomes of each surface; OpenGL runs the same steps beside it, and what both leave in
-//! stencil and depth buffer is printed under each table. The last line of the paper's trace is wrong: see pass 3.
+//! stencil and depth buffer is printed under each table. One sentence of the paper's trace is wrong: see pass 3.
 //!
 //! Writes one picture: a row a pass, a column a surface; grey clipped, red stopped by the stencil test, orange by the depth
 //! test, green passed.

@@ -256,8 +256,8 @@ fn c06_the_passes_find_what_section_4_defines() {
 
 #[test]
 fn x7_a_predecessor_outside_of_the_range_hides_a_surface_that_is_out_of_order() {
-    // The smallest case: D(sc) before all of them, depths 1 3 5 2 4 in sixteenths... of which 5 is in range and 2 is not
-    // behind it in the printed sense only if the predecessor has been peeled.
+    // A surface whose predecessor in the whole list lies outside of the range, and nearer, counts as in order by the
+    // printed text, although it lies before an earlier surface of the range.
     let differs = |n: usize| {
         let pixels = random_image(n);
         pixels
