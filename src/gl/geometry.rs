@@ -35,7 +35,7 @@ struct Run {
 
 /// A large mesh is drawn in pieces of so many indices with a flush after each, so that a driver whose vertex stage and
 /// rasteriser run side by side, as llvmpipe's do, has something to rasterise while it transforms the next piece.
-const PIECE: i32 = 3 * 25_000;
+const PIECE: i32 = 3 * 10_000;
 
 impl Run {
     fn pieces(&self) -> impl Iterator<Item = Self> + use<> {
