@@ -4,7 +4,7 @@ use std::process::ExitCode;
 
 use clap::Args;
 use onionskin::papers::papers;
-use onionskin::steps::pseudo::{self, Algorithm, Line};
+use onionskin::steps::pseudo;
 use onionskin::steps::{self, Amendment, Recorder, Variables, print, run};
 use onionskin::{Error, Result};
 
@@ -64,7 +64,15 @@ impl Listing {
             for (key, algorithm, amendments) in paper.algorithms {
                 if is_wanted(key) {
                     let head = format!("// {}: {}\n", algorithm.source, algorithm.title);
-                    texts.push(head + &self.algorithm(name, algorithm, amendments)?);
+                    self.makes_calls(name)?;
+                    texts.push(head + &pseudo::print(algorithm, self.beside(amendments)));
+                }
+            }
+            for (key, algorithm, amendments) in paper.list_algorithms {
+                if is_wanted(key) {
+                    let head = format!("// {}: {}\n", algorithm.source, algorithm.title);
+                    self.makes_calls(name)?;
+                    texts.push(head + &pseudo::list::print(algorithm, self.beside(amendments)));
                 }
             }
         }
@@ -72,28 +80,27 @@ impl Listing {
     }
 
     fn listing(&self, listing: &steps::Listing, amendments: &[Amendment]) -> Result<String> {
-        let amendments = if self.as_printed { &[] } else { amendments };
+        let amendments = self.beside(amendments);
         match self.unroll {
             Some(rounds) => unroll(listing, amendments, rounds),
             None => Ok(print::listing(listing, amendments)),
         }
     }
 
-    fn algorithm(
-        &self,
-        name: &str,
-        algorithm: &Algorithm,
-        amendments: &[Amendment<Line>],
-    ) -> Result<String> {
-        // A paper as a whole unrolls what it can.
+    /// The amendments that are wanted.
+    fn beside<'a, S>(&self, amendments: &'a [Amendment<S>]) -> &'a [Amendment<S>] {
+        if self.as_printed { &[] } else { amendments }
+    }
+
+    /// Pseudocode does not unroll. A paper as a whole unrolls what it can.
+    fn makes_calls(&self, name: &str) -> Result<()> {
         if self.unroll.is_some() && name.contains('/') {
             return Err(Error::usage(
                 format!("{name} is pseudocode, which makes no calls"),
-                "--unroll is for listings; what OpenGL runs for it is carr/hybrid or carr/ideal",
+                "--unroll is for listings; what OpenGL runs for it is carr/hybrid, carr/ideal or lindholm/pp-ao",
             ));
         }
-        let amendments = if self.as_printed { &[] } else { amendments };
-        Ok(pseudo::print(algorithm, amendments))
+        Ok(())
     }
 }
 
@@ -109,9 +116,13 @@ fn index() -> Result<ExitCode> {
             .algorithms
             .iter()
             .map(|(key, algorithm, _)| (key, algorithm.title));
-        for (key, title) in listings.chain(algorithms) {
+        let on_lists = paper
+            .list_algorithms
+            .iter()
+            .map(|(key, algorithm, _)| (key, algorithm.title));
+        for (key, title) in listings.chain(algorithms).chain(on_lists) {
             let name = format!("{}/{key}", paper.key);
-            say(format_args!("  {name:<24} {title}"))?;
+            say(format_args!("  {name:<26} {title}"))?;
         }
     }
     Ok(ExitCode::SUCCESS)
@@ -121,8 +132,10 @@ fn unknown(name: &str) -> Error {
     let names = papers().iter().flat_map(|paper| {
         let listings = paper.listings.iter().map(|(key, ..)| *key);
         let algorithms = paper.algorithms.iter().map(|(key, ..)| *key);
+        let on_lists = paper.list_algorithms.iter().map(|(key, ..)| *key);
         listings
             .chain(algorithms)
+            .chain(on_lists)
             .map(move |key| format!("{}/{key}", paper.key))
     });
     Error::usage(

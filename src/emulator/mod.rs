@@ -2,7 +2,8 @@
 //!
 //! It runs the same [steps](mod@crate::steps) as the GL machine, on pixels whose fragments are given as lists, and can
 //! write down what became of every fragment of one of them: a table that a student can follow ([`Record`]). Algorithms
-//! in [pseudocode](crate::steps::pseudo) run on the same lists ([`run_algorithm`]).
+//! in [pseudocode](crate::steps::pseudo) run on the same lists ([`run_algorithm`]); those that work on lists in memory,
+//! as A-buffers do, run on the lists alone ([`run_on_lists`]).
 //!
 //! # The model
 //!
@@ -15,6 +16,7 @@
 
 mod color;
 mod depth;
+mod lists;
 mod machine;
 mod place;
 mod pseudo;
@@ -23,6 +25,7 @@ mod shaders;
 mod stages;
 mod state;
 
+pub use lists::{ListRun, Resolved, run_on_lists};
 pub use machine::{Emulator, Kind, Surface};
 pub use pseudo::{AlgorithmRun, run_algorithm};
 pub use record::{Draw, Fate, Outcome, Record};

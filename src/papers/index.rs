@@ -1,8 +1,9 @@
 //! Which listings there are, by paper.
 
 use super::carr_2008::{coherent, hybrid, ideal, passes};
+use super::lindholm_2015::components;
 use super::{bavoil_2008, everitt_2001, lindholm_2015, vasilakis_2013, vtk};
-use crate::steps::pseudo::{Algorithm, Line};
+use crate::steps::pseudo::{Algorithm, Line, list};
 use crate::steps::{Amendment, Listing};
 
 /// A paper and its listings.
@@ -16,7 +17,16 @@ pub struct Paper {
     pub listings: &'static [(&'static str, Listing, &'static [Amendment])],
     /// Its algorithms in pseudocode, likewise.
     pub algorithms: &'static [(&'static str, Algorithm, &'static [Amendment<Line>])],
+    /// Its algorithms on lists of fragments, likewise.
+    pub list_algorithms: &'static [ListAlgorithm],
 }
+
+/// The name on the command line, the algorithm, and what stands beside it.
+type ListAlgorithm = (
+    &'static str,
+    Algorithm<list::Line>,
+    &'static [Amendment<list::Line>],
+);
 
 /// Every paper whose listings are here.
 pub const fn papers() -> &'static [Paper] {
@@ -39,6 +49,7 @@ pub const fn papers() -> &'static [Paper] {
                 ("composite", everitt_2001::COMPOSITE, &[everitt_2001::ALPHA]),
             ],
             algorithms: &[],
+            list_algorithms: &[],
         },
         Paper {
             key: "vtk",
@@ -49,6 +60,7 @@ pub const fn papers() -> &'static [Paper] {
                 ("on-the-fly", vtk::ON_THE_FLY, &[]),
             ],
             algorithms: &[],
+            list_algorithms: &[],
         },
         Paper {
             key: "carr",
@@ -72,6 +84,7 @@ pub const fn papers() -> &'static [Paper] {
                 ("algorithm-1", hybrid::ALGORITHM_1, &hybrid::AMENDMENTS_1),
                 ("algorithm-2", ideal::ALGORITHM_2, &ideal::AMENDMENTS_2),
             ],
+            list_algorithms: &[],
         },
         Paper {
             key: "lindholm",
@@ -92,18 +105,32 @@ pub const fn papers() -> &'static [Paper] {
                 ),
             ],
             algorithms: &[],
+            list_algorithms: &[
+                (
+                    "section-5.1",
+                    components::PP_AO,
+                    &[components::PP_AO_AMENDMENT],
+                ),
+                (
+                    "section-5.2",
+                    components::PP_DP,
+                    &components::PP_DP_AMENDMENTS,
+                ),
+            ],
         },
         Paper {
             key: "bavoil",
             citation: "Louis Bavoil and Kevin Myers, Order Independent Transparency with Dual Depth Peeling, NVIDIA 2008",
             listings: &[("dual-peeling", bavoil_2008::DUAL_DEPTH_PEELING, &[])],
             algorithms: &[],
+            list_algorithms: &[],
         },
         Paper {
             key: "vasilakis",
             citation: "Andreas Vasilakis and Ioannis Fudos, Depth-Fighting Aware Methods for Multifragment Rendering, TVCG 2013",
             listings: &[("coplanar-peeling", vasilakis_2013::COPLANAR_PEELING, &[])],
             algorithms: &[],
+            list_algorithms: &[],
         },
     ]
 }

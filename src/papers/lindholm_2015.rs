@@ -2,8 +2,11 @@
 //! Analysis*, Computer Graphics Forum 34(1), 2015.
 //!
 //! The paper gives the A-buffer as a figure of three steps (figure 3), ppAO and ppDP as pseudocode (section 5), and the
-//! masking of ppAO as a paragraph (section 6.2). What runs on the CPU stands here as listings; ppDP runs inside of a
-//! shader, `glsl/a_buffer/pp_dp.glsl`, whose lines are the pseudocode's.
+//! masking of ppAO as a paragraph (section 6.2). The pseudocode is in [`components`], where the emulator runs it on lists.
+//! What OpenGL runs stands here as listings, as far as the CPU makes its calls; ppDP runs inside of a shader,
+//! `glsl/a_buffer/pp_dp.glsl`, whose lines are the pseudocode's.
+
+pub mod components;
 
 use crate::steps;
 use crate::steps::{Amendment, Dialect, Listing, Map, Query, Shader, Storage, Target, gl::*};

@@ -4,22 +4,26 @@
 //! each fragment: Carr et al.'s Algorithms 1 and 2. The emulator runs it as it stands; what OpenGL runs instead stands
 //! beside it in `papers/`, and tests hold the two against each other.
 //!
+//! Algorithms on lists of fragments that are there already are written in the statements of [`list`].
+//!
 //! Every variable is per pixel, but for `gChanged`, which is one for all. Flags are numbers: `true` is 1, `false` is 0.
+
+pub mod list;
 
 use std::fmt;
 
 use super::amend::Amendment;
 use super::call::{Compare, Objects};
 
-/// An algorithm as its paper prints it.
+/// An algorithm as its paper prints it, in statements that are [`Line`]s, or another paper's [`list::Line`]s.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Algorithm {
+pub struct Algorithm<L: 'static = Line> {
     /// Its name.
     pub title: &'static str,
     /// Where it is printed.
     pub source: &'static str,
     /// What it says.
-    pub lines: &'static [Line],
+    pub lines: &'static [L],
 }
 
 /// One statement.

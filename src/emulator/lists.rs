@@ -1,0 +1,307 @@
+//! Pseudocode on Fragment Lists: every line does what it says, on one list a pixel.
+
+mod pixel;
+
+use pixel::{Peel, Pixel};
+
+use crate::error::{Error, Result};
+use crate::fragment::Fragment;
+use crate::steps::Amendment;
+use crate::steps::pseudo::Algorithm;
+use crate::steps::pseudo::list::{End, Key, Line, Test};
+
+/// What an algorithm did.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ListRun {
+    /// What became of each pixel.
+    pub pixels: Vec<Resolved>,
+    /// Whether every `repeat` ended by itself; otherwise it was left after the limit.
+    pub ended: bool,
+}
+
+/// What became of a pixel.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Resolved {
+    /// The fragments in the order in which they were composited, by their order of submission.
+    pub composited: Vec<u32>,
+    /// How often the pixel was resolved.
+    pub times: u32,
+    /// How often its list was walked.
+    pub subpasses: u32,
+    /// How many records of it were read.
+    pub records_read: u32,
+    /// Elements of the Local Arrays that were there for it, and how many of them held a fragment at some time.
+    pub slots: [u32; 2],
+}
+
+/// ppAO's first complexity segment.
+const FIRST_SEGMENT: u32 = 8;
+
+/// Runs an algorithm on lists of fragments, one a pixel. `array` is the size of the Local Array, and with segments that
+/// of the last; a `repeat` is left after `limit` subpasses.
+///
+/// # Errors
+/// If the array has no element, the segments' first is larger, or a line stands where it has nothing to work on.
+pub fn run_on_lists(
+    algorithm: &Algorithm<Line>,
+    amendments: &[Amendment<Line>],
+    lists: &[Vec<Fragment>],
+    array: u32,
+    limit: u32,
+) -> Result<ListRun> {
+    if array == 0 {
+        return Err(Error::usage(
+            "a Local Array of 0 takes no fragment",
+            "choose 1 or more",
+        ));
+    }
+    let mut run = Run {
+        pixels: lists.iter().map(|list| Pixel::new(list)).collect(),
+        array,
+        limit,
+        ended: true,
+    };
+    let nowhere = Here {
+        pixel: None,
+        fragment: None,
+        size: array,
+    };
+    if algorithm.lines.first() == Some(&Line::Input) {
+        for pixel in 0..lists.len() {
+            run.resolve(pixel, algorithm, amendments, array)?;
+        }
+    } else {
+        run.lines(algorithm.lines, amendments, nowhere)?;
+    }
+    Ok(ListRun {
+        pixels: run.pixels.into_iter().map(|pixel| pixel.done).collect(),
+        ended: run.ended,
+    })
+}
+
+struct Run<'a> {
+    pixels: Vec<Pixel<'a>>,
+    array: u32,
+    limit: u32,
+    ended: bool,
+}
+
+/// Where a line is executed.
+#[derive(Clone, Copy)]
+struct Here {
+    pixel: Option<usize>,
+    fragment: Option<Fragment>,
+    /// i, or the size of the Local Array.
+    size: u32,
+}
+
+impl Run<'_> {
+    fn lines(
+        &mut self,
+        mut lines: &'static [Line],
+        amendments: &[Amendment<Line>],
+        here: Here,
+    ) -> Result<()> {
+        while let Some((line, rest)) = lines.split_first() {
+            if let Some(amendment) = Amendment::at(amendments, lines) {
+                lines = &lines[amendment.printed.len()..];
+                self.lines(amendment.amended, &[], here)?;
+            } else {
+                lines = rest;
+                self.line(line, amendments, here)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn line(
+        &mut self,
+        line: &'static Line,
+        amendments: &[Amendment<Line>],
+        here: Here,
+    ) -> Result<()> {
+        match *line {
+            Line::Pixels(body) => self.each_pixel(body, amendments, here, |_| true),
+            Line::UnresolvedPixels(body) => {
+                self.each_pixel(body, amendments, here, |pixel| !pixel.marked)
+            }
+            Line::Segments(body) => self.segments(body, amendments, here),
+            Line::Fragments(body) => {
+                let pixel = self.pixel(here, line)?;
+                pixel.done.subpasses += 1;
+                for &fragment in pixel.list {
+                    self.pixel(here, line)?.done.records_read += 1;
+                    let fragment = Some(fragment);
+                    self.lines(body, amendments, Here { fragment, ..here })?;
+                }
+                Ok(())
+            }
+            Line::Repeat(body) => self.repeat(body, amendments, here),
+            Line::If(test, then, otherwise) => {
+                let holds = self.holds(test, here, line)?;
+                self.lines(if holds { then } else { otherwise }, amendments, here)
+            }
+            Line::Run(algorithm, its_amendments) => {
+                let pixel = here.pixel.ok_or_else(|| misplaced(line))?;
+                self.resolve(pixel, algorithm, its_amendments, here.size)
+            }
+            Line::Until(_) => Err(misplaced(line)),
+            _ => self.statement(line, here),
+        }
+    }
+
+    /// A statement without others inside.
+    fn statement(&mut self, line: &Line, here: Here) -> Result<()> {
+        match *line {
+            // Nothing to be done: the list is there, a program is chosen by its size, no volume has a state, and what is
+            // not inserted is skipped.
+            Line::Input
+            | Line::Note(_)
+            | Line::ActivateProgram
+            | Line::SizeOfLocalArray
+            | Line::InitializeState
+            | Line::Skip => {}
+            Line::Count(counter) => self.pixel(here, line)?.count(counter),
+            Line::Mark(mark) => self.pixel(here, line)?.mark(mark, here.size),
+            Line::ResolveSegment => self.pixel(here, line)?.resolve_statically(here.size),
+            Line::CreateBuffer => self.pixel(here, line)?.peel = Some(Peel::new(here.size)),
+            Line::SetMin(start) => self.peel(here, line)?.start(start),
+            Line::Insert(key) => {
+                let fragment = here.fragment.ok_or_else(|| misplaced(line))?;
+                self.peel(here, line)?.insert(fragment, key);
+            }
+            Line::ResolveBuffer(taken) => {
+                let taken = self.peel(here, line)?.resolve(taken);
+                self.pixel(here, line)?.done.composited.extend(taken);
+            }
+            Line::Store(key, element) => self.peel(here, line)?.store(key, element),
+            Line::ClearBuffer => self.peel(here, line)?.buffer.clear(),
+            _ => return Err(misplaced(line)),
+        }
+        Ok(())
+    }
+
+    fn each_pixel(
+        &mut self,
+        body: &'static [Line],
+        amendments: &[Amendment<Line>],
+        here: Here,
+        among: impl Fn(&Pixel<'_>) -> bool,
+    ) -> Result<()> {
+        for pixel in 0..self.pixels.len() {
+            if among(&self.pixels[pixel]) {
+                let pixel = Some(pixel);
+                self.lines(body, amendments, Here { pixel, ..here })?;
+            }
+        }
+        Ok(())
+    }
+
+    fn segments(
+        &mut self,
+        body: &'static [Line],
+        amendments: &[Amendment<Line>],
+        here: Here,
+    ) -> Result<()> {
+        if self.array < FIRST_SEGMENT {
+            return Err(Error::usage(
+                format!(
+                    "the last segment cannot be {}: the first is {FIRST_SEGMENT}",
+                    self.array
+                ),
+                "choose 8, 16, 32 ...",
+            ));
+        }
+        let segments = std::iter::successors(Some(FIRST_SEGMENT), |i| i.checked_mul(2));
+        let array = self.array;
+        for size in segments.take_while(|&i| i <= array) {
+            self.lines(body, amendments, Here { size, ..here })?;
+        }
+        Ok(())
+    }
+
+    fn repeat(
+        &mut self,
+        body: &'static [Line],
+        amendments: &[Amendment<Line>],
+        here: Here,
+    ) -> Result<()> {
+        let Some((Line::Until(printed), body)) = body.split_last() else {
+            return Err(misplaced(&Line::Repeat(body)));
+        };
+        let end = match Amendment::at(amendments, &[Line::Until(*printed)]).map(|it| it.amended) {
+            Some(&[Line::Until(amended)]) => amended,
+            _ => *printed,
+        };
+        for _ in 0..self.limit {
+            self.peel(here, &Line::Until(end))?.dropped = false;
+            self.lines(body, amendments, here)?;
+            let pixel = self.pixel(here, &Line::Until(end))?;
+            let count = pixel.list.len();
+            let peel = self.peel(here, &Line::Until(end))?;
+            if match end {
+                End::AllResolved => peel.resolved == count,
+                End::NothingDropped => !peel.dropped,
+            } {
+                return Ok(());
+            }
+        }
+        self.ended = false;
+        Ok(())
+    }
+
+    /// Resolves a pixel by an algorithm for single pixels, with a Local Array of `size`.
+    fn resolve(
+        &mut self,
+        pixel: usize,
+        algorithm: &Algorithm<Line>,
+        amendments: &[Amendment<Line>],
+        size: u32,
+    ) -> Result<()> {
+        self.pixels[pixel].begin_resolve(size);
+        let here = Here {
+            pixel: Some(pixel),
+            fragment: None,
+            size,
+        };
+        self.lines(algorithm.lines, amendments, here)
+    }
+
+    fn holds(&mut self, test: Test, here: Here, line: &Line) -> Result<bool> {
+        let (size, last) = (here.size, here.size > self.array / 2);
+        if let Test::NotBehindMin(key) = test {
+            let f = here.fragment.ok_or_else(|| misplaced(line))?;
+            let (min_depth, min_id) = self.peel(here, line)?.min;
+            let tie = f.depth == min_depth && (key == Key::Depth || i64::from(f.order) <= min_id);
+            return Ok(f.depth < min_depth || tie);
+        }
+        let pixel = self.pixel(here, line)?;
+        let complexity = pixel.complexity;
+        let before = if size == FIRST_SEGMENT { 0 } else { size / 2 };
+        Ok(match test {
+            Test::StencilFitsSegment => u32::from(pixel.stencil) <= size.min(255),
+            Test::InSegment => before < complexity && (complexity <= size || last),
+            Test::Overflows => complexity > size,
+            Test::FitsSegment | Test::NotBehindMin(_) => complexity <= size,
+        })
+    }
+}
+
+impl<'a> Run<'a> {
+    fn pixel(&mut self, here: Here, line: &Line) -> Result<&mut Pixel<'a>> {
+        let pixel = here.pixel.ok_or_else(|| misplaced(line))?;
+        Ok(&mut self.pixels[pixel])
+    }
+
+    fn peel(&mut self, here: Here, line: &Line) -> Result<&mut Peel> {
+        let peel = self.pixel(here, line)?.peel.as_mut();
+        peel.ok_or_else(|| misplaced(line))
+    }
+}
+
+fn misplaced(line: &Line) -> Error {
+    Error::usage(
+        format!("there is nothing for '{line}' to work on"),
+        "it stands outside of its loop, or before its buffer is created",
+    )
+}

@@ -1,0 +1,136 @@
+//! What a pixel has while its list is resolved: a count, a stencil value, and ppDP's Local Array.
+
+use super::Resolved;
+use crate::fragment::Fragment;
+use crate::steps::pseudo::list::{Counter, Element, Key, Mark, Start, Taken};
+
+pub(super) struct Pixel<'a> {
+    pub(super) list: &'a [Fragment],
+    pub(super) complexity: u32,
+    pub(super) stencil: u8,
+    pub(super) marked: bool,
+    pub(super) peel: Option<Peel>,
+    pub(super) done: Resolved,
+}
+
+/// ppDP's variables.
+pub(super) struct Peel {
+    n: usize,
+    pub(super) buffer: Vec<Fragment>,
+    /// Min depth and min id: up to there everything is skipped.
+    pub(super) min: (f32, i64),
+    /// Whether the subpass has dropped an element.
+    pub(super) dropped: bool,
+    /// How many fragments have been resolved, and the last of them.
+    pub(super) resolved: usize,
+    last: Option<Fragment>,
+}
+
+impl<'a> Pixel<'a> {
+    pub(super) fn new(list: &'a [Fragment]) -> Self {
+        Self {
+            list,
+            complexity: 0,
+            stencil: 0,
+            marked: false,
+            peel: None,
+            done: Resolved::default(),
+        }
+    }
+
+    pub(super) fn count(&mut self, counter: Counter) {
+        for _ in self.list {
+            match counter {
+                Counter::Integer => {}
+                Counter::Stencil => self.stencil = self.stencil.saturating_add(1),
+                Counter::StencilWrapping => self.stencil = self.stencil.wrapping_add(1),
+            }
+        }
+        self.complexity = self.list.len() as u32;
+    }
+
+    pub(super) fn mark(&mut self, mark: Mark, size: u32) {
+        match mark {
+            Mark::Resolved => self.marked = true,
+            Mark::Keep => {}
+            Mark::Replace => self.stencil = size.min(255) as u8,
+            Mark::Invert => self.stencil = !self.stencil,
+        }
+    }
+
+    pub(super) fn begin_resolve(&mut self, size: u32) {
+        self.done.times += 1;
+        self.done.slots[0] += size;
+        self.done.slots[1] += size.min(self.list.len() as u32);
+    }
+
+    pub(super) fn resolve_statically(&mut self, size: u32) {
+        self.begin_resolve(size);
+        let fits = self.list.len().min(size as usize);
+        self.done.subpasses += 1;
+        self.done.records_read += fits as u32;
+        let mut array = self.list[..fits].to_vec();
+        array.sort_by(|a, b| (a.depth.total_cmp(&b.depth)).then(a.order.cmp(&b.order)));
+        let array = array.iter().map(|fragment| fragment.order);
+        self.done.composited.extend(array);
+    }
+}
+
+impl Peel {
+    pub(super) fn new(size: u32) -> Self {
+        Self {
+            n: size as usize,
+            buffer: Vec::new(),
+            min: (f32::NEG_INFINITY, -1),
+            dropped: false,
+            resolved: 0,
+            last: None,
+        }
+    }
+
+    pub(super) fn start(&mut self, start: Start) {
+        self.min = match start {
+            Start::Zero => (0.0, i64::MAX),
+            Start::BeforeAll => (f32::NEG_INFINITY, -1),
+        };
+    }
+
+    pub(super) fn insert(&mut self, f: Fragment, key: Key) {
+        let before = |other: &Fragment| {
+            f.depth < other.depth
+                || (key == Key::DepthAndId && f.depth == other.depth && f.order < other.order)
+        };
+        let at = self.buffer.iter().position(before);
+        self.buffer.insert(at.unwrap_or(self.buffer.len()), f);
+        if self.buffer.len() > self.n {
+            self.buffer.pop();
+            self.dropped = true;
+        }
+    }
+
+    pub(super) fn resolve(&mut self, taken: Taken) -> Vec<u32> {
+        let count = match taken {
+            Taken::AllButLastOnOverflow if self.dropped => self.n - 1,
+            Taken::All | Taken::AllButLastOnOverflow => self.buffer.len(),
+        };
+        let taken = &self.buffer[..count];
+        self.resolved += count;
+        self.last = taken.last().copied().or(self.last);
+        taken.iter().map(|fragment| fragment.order).collect()
+    }
+
+    pub(super) fn store(&mut self, key: Key, element: Element) {
+        let stored = match element {
+            Element::Last => self.buffer.last().copied(),
+            Element::LastResolved => self.last,
+        };
+        if let Some(stored) = stored {
+            let id = match key {
+                // Every id at that depth.
+                Key::Depth => i64::MAX,
+                Key::DepthAndId => i64::from(stored.order),
+            };
+            self.min = (stored.depth, id);
+        }
+    }
+}

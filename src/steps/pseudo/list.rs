@@ -1,0 +1,280 @@
+//! Pseudocode on Fragment Lists: what Lindholm et al. print of ppAO and ppDP, line by line.
+//!
+//! Where a [`pseudo::Line`](super::Line) works on fragments as they are rasterised, a [`Line`] here works on lists that
+//! the Fill Step has left, one a pixel, and on a Local Array for a few of their fragments.
+
+use std::fmt;
+
+use super::Algorithm;
+use crate::steps::Amendment;
+
+/// One statement.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Line {
+    /// `input : list of fragment data per pixel`: the lines are for a single pixel.
+    Input,
+    /// What the paper says in a comment.
+    Note(&'static str),
+    /// `forall the pixels of the framebuffer do`
+    Pixels(&'static [Line]),
+    /// `forall the unresolved pixels of the framebuffer do`: those without [`Mark::Resolved`].
+    UnresolvedPixels(&'static [Line]),
+    /// `foreach i ∈ {8,16, . . . ,max} do`: i doubles; max is the largest Local Array.
+    Segments(&'static [Line]),
+    /// `foreach fragment f ∈ fragment list do`
+    Fragments(&'static [Line]),
+    /// `repeat ... until ...;`: its last line is an [`Until`](Self::Until).
+    Repeat(&'static [Line]),
+    /// The end of a repeat.
+    Until(End),
+    /// `if ... then ... else ... end`
+    If(Test, &'static [Line], &'static [Line]),
+
+    /// `count depth complexity;`
+    Count(Counter),
+    /// `activate shader program for complexity segment i;`
+    ActivateProgram,
+    /// `resolve segment with Local Array of size i;`: the first i fragments of the list, sorted; the others are dropped.
+    ResolveSegment,
+    /// The pixel's resolve by another algorithm, with a Local Array of size i.
+    Run(&'static Algorithm<Line>, &'static [Amendment<Line>]),
+    /// `// mark pixel as resolved`
+    Mark(Mark),
+
+    /// `n ← sizeof(Local Array);`
+    SizeOfLocalArray,
+    /// `create buffer with n elements;`
+    CreateBuffer,
+    /// `set min depth to 0;`
+    SetMin(Start),
+    /// `initialize current state;`: nothing has been composited.
+    InitializeState,
+    /// `skip f in current pass;`
+    Skip,
+    /// `insert f into buffer with insertion sort;`: behind what is equal; what is then the element n + 1 is dropped.
+    Insert(Key),
+    /// `resolve buffer considering current state;`
+    ResolveBuffer(Taken),
+    /// `store min depth and state of last buffer element;`: of none if the buffer is empty.
+    Store(Key, Element),
+    /// `clear buffer;`
+    ClearBuffer,
+}
+
+/// What an `if` asks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Test {
+    /// `depth complexity(p)<= i`
+    FitsSegment,
+    /// The same by the stencil buffer, whose reference is 255 at most.
+    StencilFitsSegment,
+    /// Larger than the segment before, and no larger than this one unless it is the last.
+    InSegment,
+    /// `depth complexity(p) > i`
+    Overflows,
+    /// `depth(f) ≤ min depth`, or with the id.
+    NotBehindMin(Key),
+}
+
+/// What decides between two fragments.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Key {
+    /// Depth alone.
+    Depth,
+    /// Depth, and between equal depths the id, which is the place in the order of submission.
+    DepthAndId,
+}
+
+/// Where peeling starts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Start {
+    /// Depth 0, with every id.
+    Zero,
+    /// Before whatever there can be.
+    BeforeAll,
+}
+
+/// Which elements of the buffer are resolved.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Taken {
+    /// All that there are.
+    All,
+    /// The first n - 1 if an element was dropped, otherwise all.
+    AllButLastOnOverflow,
+}
+
+/// Of which element min depth is stored.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Element {
+    /// The last in the buffer.
+    Last,
+    /// The last that was resolved.
+    LastResolved,
+}
+
+/// When a repeat ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum End {
+    /// As many fragments have been resolved as the list has.
+    AllResolved,
+    /// The subpass has dropped no element.
+    NothingDropped,
+}
+
+/// What counts a pixel's fragments.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Counter {
+    /// An integer with room for them.
+    Integer,
+    /// Eight bits of stencil by `INCR`, which stays at 255.
+    Stencil,
+    /// Eight bits of stencil by `INCR_WRAP`, which goes on from 0.
+    StencilWrapping,
+}
+
+/// What marks a pixel as resolved.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mark {
+    /// A flag, as one reads the paper.
+    Resolved,
+    /// The stencil operation `KEEP`.
+    Keep,
+    /// The stencil operation `REPLACE`.
+    Replace,
+    /// The stencil operation `INVERT`.
+    Invert,
+}
+
+/// The algorithm as its paper prints it, with `amendments` in place; without any, as printed.
+pub fn print(algorithm: &Algorithm<Line>, amendments: &[Amendment<Line>]) -> String {
+    let mut text = String::new();
+    print_lines(&mut text, algorithm.lines, amendments, 0);
+    text
+}
+
+fn print_lines(
+    text: &mut String,
+    mut lines: &[Line],
+    amendments: &[Amendment<Line>],
+    indent: usize,
+) {
+    while let Some((line, rest)) = lines.split_first() {
+        if let Some(amendment) = Amendment::at(amendments, lines) {
+            // An `until` stands where its `repeat` does.
+            let indent_of_why = match line {
+                Line::Until(_) => indent - 1,
+                _ => indent,
+            };
+            let why = format_args!("// {}: {}", amendment.key, amendment.why);
+            print_line(text, indent_of_why, why);
+            print_lines(text, amendment.amended, &[], indent);
+            lines = &lines[amendment.printed.len()..];
+        } else {
+            print_statement(text, line, amendments, indent);
+            lines = rest;
+        }
+    }
+}
+
+fn print_statement(text: &mut String, line: &Line, amendments: &[Amendment<Line>], indent: usize) {
+    match line {
+        Line::Until(_) => print_line(text, indent - 1, line),
+        Line::Repeat(body) => {
+            print_line(text, indent, line);
+            print_lines(text, body, amendments, indent + 1);
+        }
+        Line::Pixels(body)
+        | Line::UnresolvedPixels(body)
+        | Line::Segments(body)
+        | Line::Fragments(body) => {
+            print_line(text, indent, line);
+            print_lines(text, body, amendments, indent + 1);
+            print_line(text, indent, "end");
+        }
+        Line::If(_, then, otherwise) => {
+            print_line(text, indent, line);
+            print_lines(text, then, amendments, indent + 1);
+            if !otherwise.is_empty() {
+                print_line(text, indent, "else");
+                print_lines(text, otherwise, amendments, indent + 1);
+            }
+            print_line(text, indent, "end");
+        }
+        _ => print_line(text, indent, line),
+    }
+}
+
+fn print_line(text: &mut String, indent: usize, line: impl fmt::Display) {
+    *text += &format!("{:width$}{line}\n", "", width = indent * 2);
+}
+
+/// A statement's own line, without what is inside of it.
+impl fmt::Display for Line {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Input => "input : list of fragment data per pixel",
+            Self::Note(note) => return write!(f, "// {note}"),
+            Self::Pixels(_) => "forall the pixels of the framebuffer do",
+            Self::UnresolvedPixels(_) => "forall the unresolved pixels of the framebuffer do",
+            Self::Segments(_) => "foreach i ∈ {8,16,...,max} do",
+            Self::Fragments(_) => "foreach fragment f ∈ fragment list do",
+            Self::Repeat(_) => "repeat",
+            Self::Until(End::AllResolved) => "until all fragments f ∈ fragment list are resolved;",
+            Self::Until(End::NothingDropped) => "until no element was dropped;",
+            Self::If(test, ..) => return write!(f, "if {test} then"),
+            Self::Count(Counter::Integer) => "count depth complexity;",
+            Self::Count(Counter::Stencil) => "count depth complexity by stencil INCR;",
+            Self::Count(Counter::StencilWrapping) => "count depth complexity by stencil INCR_WRAP;",
+            Self::ActivateProgram => "activate shader program for complexity segment i;",
+            Self::ResolveSegment => "resolve segment with Local Array of size i;",
+            Self::Run(algorithm, _) => {
+                return write!(f, "resolve segment by {};", algorithm.title);
+            }
+            Self::Mark(Mark::Resolved) => "// mark pixel as resolved",
+            Self::Mark(Mark::Keep) => "mark pixel as resolved by stencil KEEP;",
+            Self::Mark(Mark::Replace) => "mark pixel as resolved by stencil REPLACE;",
+            Self::Mark(Mark::Invert) => "mark pixel as resolved by stencil INVERT;",
+            Self::SizeOfLocalArray => "n ← sizeof(Local Array);",
+            Self::CreateBuffer => "create buffer with n elements;",
+            Self::SetMin(Start::Zero) => "set min depth to 0;",
+            Self::SetMin(Start::BeforeAll) => "set min depth, min id to -∞, -1;",
+            Self::InitializeState => "initialize current state;",
+            Self::Skip => "skip f in current pass;",
+            Self::Insert(Key::Depth) => "insert f into buffer with insertion sort;",
+            Self::Insert(Key::DepthAndId) => {
+                "insert f into buffer with insertion sort by depth, then id;"
+            }
+            Self::ResolveBuffer(Taken::All) => "resolve buffer considering current state;",
+            Self::ResolveBuffer(Taken::AllButLastOnOverflow) => {
+                "resolve buffer, on overflow its first n-1 elements, considering current state;"
+            }
+            Self::Store(key, element) => {
+                let key = match key {
+                    Key::Depth => "min depth",
+                    Key::DepthAndId => "min depth, min id",
+                };
+                let element = match element {
+                    Element::Last => "last buffer element",
+                    Element::LastResolved => "last resolved element",
+                };
+                return write!(f, "store {key} and state of {element};");
+            }
+            Self::ClearBuffer => "clear buffer;",
+        })
+    }
+}
+
+impl fmt::Display for Test {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::FitsSegment => "depth complexity(p) <= i",
+            Self::StencilFitsSegment => "stencil(p) <= min(i, 255)",
+            Self::InSegment => {
+                "previous i < depth complexity(p) and (depth complexity(p) <= i or i = max)"
+            }
+            Self::Overflows => "depth complexity(p) > i",
+            Self::NotBehindMin(Key::Depth) => "depth(f) ≤ min depth",
+            Self::NotBehindMin(Key::DepthAndId) => "(depth(f), id(f)) ≤ (min depth, min id)",
+        })
+    }
+}

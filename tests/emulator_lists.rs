@@ -1,0 +1,418 @@
+//! ppAO's and ppDP's pseudocode, as printed and as amended, run line by line on lists of fragments: on all small ones,
+//! and on random ones that shrink.
+
+use onionskin::emulator::{ListRun, run_on_lists};
+use onionskin::fragment::{Fragment, Rgba};
+use onionskin::papers::lindholm_2015::components::*;
+use onionskin::steps::pseudo::Algorithm;
+use onionskin::steps::pseudo::list::{self, Counter, Line, Mark, Test};
+use onionskin::steps::{Amendment, diff};
+use proptest::prelude::*;
+use proptest::test_runner::TestError;
+
+#[path = "common/pp_dp.rs"]
+mod pp_dp;
+#[path = "common/stack.rs"]
+#[allow(dead_code)]
+mod stack;
+use pp_dp::{Rule, peel};
+
+/// Printed, with a condition that ends it (erratum L3).
+const PRINTED: [Amendment<Line>; 1] = [STOP];
+/// The text beside the pseudocode, likewise.
+const TEXT: [Amendment<Line>; 2] = [AS_THE_TEXT_SAYS, STOP];
+
+/// More subpasses than any list here needs.
+const ENOUGH: u32 = 100;
+
+fn list(depths: &[u32]) -> Vec<Fragment> {
+    let fragment = |(order, &depth): (usize, &u32)| Fragment {
+        depth: depth as f32 / 1024.0,
+        color: Rgba::default(),
+        order: order as u32,
+    };
+    depths.iter().enumerate().map(fragment).collect()
+}
+
+fn run(
+    algorithm: &Algorithm<Line>,
+    amendments: &[Amendment<Line>],
+    lists: &[Vec<Fragment>],
+    array: u32,
+) -> ListRun {
+    run_on_lists(algorithm, amendments, lists, array, ENOUGH).expect("it runs")
+}
+
+/// The oracle's order: nearest first, and of equal depths the one submitted first.
+fn sorted(list: &[Fragment]) -> Vec<u32> {
+    let mut orders: Vec<u32> = (0..list.len() as u32).collect();
+    orders.sort_by(|&a, &b| {
+        let depth = |order: u32| list[order as usize].depth;
+        depth(a).total_cmp(&depth(b))
+    });
+    orders
+}
+
+/// Every list of up to `longest` fragments on three depths, 0 among them.
+fn small_lists(longest: u32) -> Vec<Vec<u32>> {
+    let codes = (0..=longest).flat_map(|count| (0..3_u32.pow(count)).map(move |c| (count, c)));
+    codes
+        .map(|(count, code)| (0..count).map(|at| code / 3_u32.pow(at) % 3).collect())
+        .collect()
+}
+
+/// Every order in which a list's records can lie in memory, for lists of up to four.
+fn orders(list: &[Fragment]) -> Vec<Vec<Fragment>> {
+    let Some((first, rest)) = list.split_first() else {
+        return vec![Vec::new()];
+    };
+    let places = |shorter: Vec<Fragment>| {
+        (0..=shorter.len()).map(move |place| {
+            let mut longer = shorter.clone();
+            longer.insert(place, *first);
+            longer
+        })
+    };
+    orders(rest).into_iter().flat_map(places).collect()
+}
+
+#[test]
+fn the_pseudocode_prints_as_the_paper_has_it() {
+    for (algorithm, transcript) in [
+        (&PP_AO, include_str!("transcripts/lindholm_section_5_1.txt")),
+        (&PP_DP, include_str!("transcripts/lindholm_section_5_2.txt")),
+    ] {
+        assert_eq!(diff(transcript, &list::print(algorithm, &[])), "");
+    }
+    let amended = list::print(&PP_DP, &PP_DP_AMENDMENTS);
+    let found = diff(
+        include_str!("transcripts/lindholm_section_5_2.txt"),
+        &amended,
+    );
+    assert!(found.contains("+until no element was dropped;"), "{found}");
+}
+
+/// How often an amendment's lines occur, nested ones included.
+fn occurrences(amendment: &Amendment<Line>, lines: &[Line]) -> usize {
+    let here = lines
+        .windows(amendment.printed.len())
+        .filter(|w| *w == amendment.printed)
+        .count();
+    let inside = lines.iter().map(|line| match line {
+        Line::Pixels(body)
+        | Line::UnresolvedPixels(body)
+        | Line::Segments(body)
+        | Line::Fragments(body)
+        | Line::Repeat(body) => occurrences(amendment, body),
+        Line::If(_, then, otherwise) => {
+            occurrences(amendment, then) + occurrences(amendment, otherwise)
+        }
+        _ => 0,
+    });
+    here + inside.sum::<usize>()
+}
+
+#[test]
+fn every_amendment_is_found_in_its_algorithm_once() {
+    let by_stencil = by_stencil(&[], &[]);
+    for (algorithm, amendments) in [
+        (&PP_DP, &PP_DP_AMENDMENTS[..]),
+        (&PP_DP, &N_MINUS_1),
+        (&PP_DP, &TEXT),
+        (&PP_AO, &[PP_AO_AMENDMENT, PP_AO_WITHOUT_PP_DP]),
+        (&PP_AO, &by_stencil),
+    ] {
+        for amendment in amendments {
+            let found = occurrences(amendment, algorithm.lines);
+            assert_eq!(found, 1, "{}", amendment.place);
+        }
+    }
+}
+
+/// Lists of up to four fragments on three depths, in every order in memory, with every small buffer: nothing is lost, the
+/// order is the oracle's, and no subpass is wasted.
+#[test]
+fn l13_amended_peeling_is_the_oracle_s_order_of_every_small_list_however_it_lies_in_memory() {
+    let lists: Vec<_> = small_lists(4).iter().map(|depths| list(depths)).collect();
+    let mut cases = 0;
+    for submitted in &lists {
+        let in_memory = orders(submitted);
+        for n in 1..=5 {
+            let run = run(&PP_DP, &PP_DP_AMENDMENTS, &in_memory, n);
+            assert!(run.ended);
+            for (pixel, list) in run.pixels.iter().zip(&in_memory) {
+                assert_eq!(pixel.composited, sorted(submitted), "{list:?} {n}");
+                let passes = (list.len() as u32).div_ceil(n).max(1);
+                assert_eq!(pixel.subpasses, passes, "{list:?} {n}");
+                assert_eq!(pixel.records_read, passes * list.len() as u32);
+                cases += 1;
+            }
+        }
+    }
+    // 3^c lists of c fragments, c! orders, five buffers.
+    assert_eq!(cases, 5 * (1 + 3 + 9 * 2 + 27 * 6 + 81 * 24));
+}
+
+/// The emulator against a twin in Rust that knows no lines: each rule, every list of up to six fragments, every buffer.
+#[test]
+fn every_rule_loses_what_its_twin_loses_on_every_small_list() {
+    let small = small_lists(6);
+    let lists: Vec<_> = small.iter().map(|depths| list(depths)).collect();
+    let mut lost = [0; 3];
+    for n in 1..=7 {
+        for (which, (rule, amendments)) in [
+            (Rule::Printed, &PRINTED[..]),
+            (Rule::PrintedText, &TEXT),
+            (Rule::Amended, &PP_DP_AMENDMENTS),
+        ]
+        .into_iter()
+        .enumerate()
+        {
+            let run = run(&PP_DP, amendments, &lists, n);
+            for (depths, pixel) in small.iter().zip(&run.pixels) {
+                let twin = peel(depths, n as usize, rule);
+                let resolved: Vec<u32> = twin.resolved.iter().map(|&f| f as u32).collect();
+                assert_eq!(pixel.composited, resolved, "{rule:?} {depths:?} {n}");
+                assert_eq!(pixel.subpasses as usize, twin.subpasses, "{depths:?} {n}");
+                lost[which] += twin.lost;
+            }
+        }
+    }
+    assert!(lost[0] > 0 && lost[1] > lost[0] && lost[2] == 0, "{lost:?}");
+}
+
+#[test]
+fn l13_random_lists_come_out_in_the_oracle_s_order() {
+    let depths = proptest::collection::vec(0..40_u32, 0..60);
+    let checked = stack::runner(2000).run(&(depths, 1..12_u32), |(depths, n)| {
+        let submitted = list(&depths);
+        let run = run(
+            &PP_DP,
+            &PP_DP_AMENDMENTS,
+            std::slice::from_ref(&submitted),
+            n,
+        );
+        prop_assert!(run.ended);
+        prop_assert_eq!(&run.pixels[0].composited, &sorted(&submitted));
+        let (count, passes) = (depths.len() as u32, run.pixels[0].subpasses);
+        prop_assert_eq!(passes, count.div_ceil(n).max(1));
+        if n > 1 {
+            prop_assert!(passes <= count.div_ceil(n - 1).max(1), "L12's bound");
+        }
+        Ok(())
+    });
+    if let Err(TestError::Fail(why, case)) = checked {
+        panic!("{why}: depths and n {case:?}");
+    }
+}
+
+/// Erratum L1. Twenty coplanar fragments and a buffer of eight: twelve are lost. With the rule amended but not what is
+/// stored, the same.
+#[test]
+fn l13_ties_are_lost_where_a_buffer_ends_as_printed() {
+    let lists = [list(&[5; 20])];
+    let composited = |amendments: &[_]| {
+        run(&PP_DP, amendments, &lists, 8).pixels[0]
+            .composited
+            .len()
+    };
+    assert_eq!(composited(&PRINTED), 8);
+    assert_eq!(composited(&[SKIP_BY_ID, STOP]), 8);
+    assert_eq!(composited(&[SKIP_BY_ID, STORE_ID, STOP]), 20);
+}
+
+/// Erratum L4.
+#[test]
+fn l13_what_lies_at_depth_0_is_skipped_as_printed() {
+    let lists = [list(&[3, 0, 4])];
+    let composited = |amendments: &[_]| {
+        run(&PP_DP, amendments, &lists, 8).pixels[0]
+            .composited
+            .clone()
+    };
+    assert_eq!(composited(&PRINTED), [0, 2]);
+    assert_eq!(composited(&[START, STOP]), [1, 0, 2]);
+}
+
+/// Erratum L3. Read as a count, "until all fragments are resolved" holds of what was not lost only.
+#[test]
+fn l13_a_loop_that_waits_for_a_lost_fragment_never_ends() {
+    let distinct = [list(&[5, 1, 3, 2, 4])];
+    let tied = [list(&[5, 1, 3, 3, 4])];
+    let ends = |amendments: &[_], lists: &[_]| run(&PP_DP, amendments, lists, 2).ended;
+    assert!(ends(&[], &distinct));
+    assert!(!ends(&[], &tied));
+    assert!(ends(&PRINTED, &tied));
+    let subpasses = run(&PP_DP, &[], &tied, 2).pixels[0].subpasses;
+    assert_eq!(subpasses, ENOUGH, "it was left after the limit");
+}
+
+/// Erratum L2. The text's n - 1 a subpass loses one with each that overflows, because it goes on from the n-th. Going on
+/// from the last that was resolved loses none, within the bound that the text gives; with n = 1 it stands still.
+#[test]
+fn l12_n_minus_1_a_pass_but_going_on_from_the_nth_loses_one_a_pass() {
+    for count in 1..=64_u32 {
+        let lists = [list(&(1..=count).collect::<Vec<_>>())];
+        for n in 2..=9 {
+            let bound = count.div_ceil(n - 1);
+            let text = run(&PP_DP, &TEXT, &lists, n);
+            let right = run(&PP_DP, &N_MINUS_1, &lists, n);
+            let [text, right] = [&text.pixels[0], &right.pixels[0]];
+            let lost = count - text.composited.len() as u32;
+            assert_eq!(lost, text.subpasses - 1, "{count} {n}");
+            assert_eq!(right.composited, sorted(&lists[0]), "{count} {n}");
+            assert!(right.subpasses <= bound, "{count} {n}");
+            assert_eq!(right.subpasses, (count - 1).div_ceil(n - 1).max(1));
+            let printed = &run(&PP_DP, &PRINTED, &lists, n).pixels[0];
+            assert_eq!(
+                printed.subpasses,
+                count.div_ceil(n),
+                "resolves n, not n - 1"
+            );
+        }
+    }
+    assert!(!run(&PP_DP, &N_MINUS_1, &[list(&[1, 2])], 1).ended);
+}
+
+/// Lists of 1, 2, 3 ... fragments, a few of them tied.
+fn every_complexity(most: u32) -> Vec<Vec<Fragment>> {
+    let depths = |count: u32| (0..count).map(|f| f * 389 % 997 % 61).collect::<Vec<_>>();
+    (1..=most).map(|count| list(&depths(count))).collect()
+}
+
+/// Erratum L5.
+#[test]
+fn l11_past_the_last_segment_nothing_is_resolved_as_printed() {
+    let lists = every_complexity(80);
+    let printed = run(&PP_AO, &[], &lists, 32);
+    let amended = run(&PP_AO, &[PP_AO_AMENDMENT], &lists, 32);
+    for ((list, printed), amended) in lists.iter().zip(&printed.pixels).zip(&amended.pixels) {
+        let count = list.len() as u32;
+        assert_eq!(printed.times, u32::from(count <= 32), "{count}");
+        assert_eq!(amended.times, 1, "{count}");
+        assert_eq!(amended.composited, sorted(list), "{count}");
+        // The smallest segment that holds the pixel, and the last for the others.
+        let segment = count.next_power_of_two().clamp(8, 32);
+        assert_eq!(amended.slots, [segment, count.min(segment)], "{count}");
+        assert_eq!(amended.subpasses, count.div_ceil(segment), "{count}");
+    }
+}
+
+/// What lies past N in the list is lost: the last in memory, not the farthest.
+#[test]
+fn l09_without_pp_dp_the_last_segment_drops_what_overflows_it() {
+    let lists = every_complexity(40);
+    let run = run(&PP_AO, &[PP_AO_WITHOUT_PP_DP], &lists, 16);
+    for (list, pixel) in lists.iter().zip(&run.pixels) {
+        let kept = &list[..list.len().min(16)];
+        assert_eq!(pixel.composited, sorted(kept));
+        assert_eq!(pixel.times, 1);
+    }
+}
+
+macro_rules! masked_with {
+    ($mark:expr) => {
+        &[Line::If(
+            Test::StencilFitsSegment,
+            &[Line::ResolveSegment, Line::Mark($mark)],
+            &[],
+        )]
+    };
+}
+/// ppAO by the stencil buffer: how often the pixels of each complexity are resolved.
+fn times(counter: Counter, mark: Mark, max: u32) -> Vec<u32> {
+    let (count, masked): (&'static [Line], &'static [Line]) = match (counter, mark) {
+        (Counter::StencilWrapping, _) => (
+            &[Line::Count(Counter::StencilWrapping)],
+            masked_with!(Mark::Invert),
+        ),
+        (_, Mark::Keep) => (&[Line::Count(Counter::Stencil)], masked_with!(Mark::Keep)),
+        (_, Mark::Replace) => (
+            &[Line::Count(Counter::Stencil)],
+            masked_with!(Mark::Replace),
+        ),
+        _ => (&[Line::Count(Counter::Stencil)], masked_with!(Mark::Invert)),
+    };
+    let run = run(
+        &PP_AO,
+        &by_stencil(count, masked),
+        &every_complexity(600),
+        max,
+    );
+    run.pixels.iter().map(|pixel| pixel.times).collect()
+}
+
+/// The complexities of pixels that are not resolved exactly once.
+fn wrong(times: &[u32]) -> Vec<usize> {
+    (1..=times.len())
+        .filter(|&complexity| times[complexity - 1] != 1)
+        .collect()
+}
+
+/// Erratum L7: what marks a pixel is not said.
+#[test]
+fn l11_of_the_marks_only_invert_works_and_only_up_to_128() {
+    let invert = |max| wrong(&times(Counter::Stencil, Mark::Invert, max));
+    assert_eq!(
+        invert(64),
+        (65..=600).collect::<Vec<_>>(),
+        "past the last (L5)"
+    );
+    assert_eq!(invert(128), (129..=600).collect::<Vec<_>>());
+    // A reference of 256 is clamped to 255, and so passes what was inverted before.
+    assert_eq!(invert(256), (1..=128).collect::<Vec<_>>());
+    for mark in [Mark::Keep, Mark::Replace] {
+        // Every segment from its own on.
+        let times = times(Counter::Stencil, mark, 64);
+        assert_eq!(
+            [times[4], times[14], times[31], times[63]],
+            [4, 3, 2, 1],
+            "{mark:?}"
+        );
+    }
+}
+
+/// Erratum L6: eight bits stay at 255 by INCR, and begin again by INCR_WRAP, where 256 to 264 seem to fit an array of 8.
+#[test]
+fn l11_eight_bits_send_what_is_past_255_to_the_wrong_segment() {
+    let lists = every_complexity(600);
+    let count: &[Line] = &[Line::Count(Counter::StencilWrapping)];
+    let masked = masked_with!(Mark::Invert);
+    let wrapping = run(&PP_AO, &by_stencil(count, masked), &lists, 64);
+    assert_eq!(
+        wrapping.pixels[259].slots,
+        [8, 8],
+        "260 fragments in an array of 8"
+    );
+    // By INCR all of 255 and more share a segment, if there is one so large: 256, clamped to 255.
+    let share = times(Counter::Stencil, Mark::Keep, 256);
+    assert_eq!(share[254..], [1; 346]);
+    // Its array takes 256, the rest is lost without ppDP.
+    let count: &[Line] = &[Line::Count(Counter::Stencil)];
+    let run = run(
+        &PP_AO,
+        &by_stencil(count, masked_with!(Mark::Keep)),
+        &lists,
+        256,
+    );
+    assert_eq!(run.pixels[599].composited.len(), 256);
+}
+
+#[test]
+fn lines_out_of_place_are_refused_and_nothing_panics() {
+    let algorithm = |lines| Algorithm {
+        title: "nothing",
+        source: "here",
+        lines,
+    };
+    let refused = |lines, array| {
+        let run = run_on_lists(&algorithm(lines), &[], &[list(&[1])], array, ENOUGH);
+        run.unwrap_err().to_string()
+    };
+    assert!(refused(&[Line::ResolveSegment], 8).contains("resolve segment"));
+    assert!(refused(&[Line::Input, Line::ClearBuffer], 8).contains("clear buffer"));
+    assert!(refused(&[Line::Input, Line::Repeat(&[])], 8).contains("repeat"));
+    assert!(refused(&[Line::Until(list::End::AllResolved)], 8).contains("until"));
+    assert!(refused(&[Line::Segments(&[])], 7).contains("last segment cannot be 7"));
+    assert!(refused(&[], 0).contains("Local Array of 0"));
+}
