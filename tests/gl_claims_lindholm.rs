@@ -3,7 +3,7 @@
 
 use onionskin::image::Comparison;
 use onionskin::methods::{
-    ABufferCounts, ABufferOptions, CountBy, Frame, Manager, RecordColor, Sort,
+    ABufferCounts, ABufferOptions, CountBy, Fill, Frame, Manager, RecordColor, Sort,
 };
 use onionskin::scene::Camera;
 use onionskin::scene::generate::{Order, Quads, TorusKnot, quads, torus_knot};
@@ -162,14 +162,29 @@ fn l05_base_offsets_keep_every_pixel_s_list_to_itself() {
     }
 }
 
+/// Taken from a pool by atomics, as the paper has it; in order, without atomics, behind DFB's base offsets.
 #[test]
 fn l06_linked_lists_take_a_node_and_a_link_for_each_fragment() {
     let context = Context::headless().unwrap();
     let scene = bundled("soup.toml", [160, 120]);
     let mut renderer = Renderer::new(&context, 160, 120).unwrap();
-    let (frame, counts) = render(&mut renderer, &scene, ABufferOptions::DEFAULT);
-    assert_eq!(counts.list_bytes, frame.stats.fragments * (16 + 4) + 16);
-    assert_eq!(frame.stats.lost, Some(0));
+    let mut bytes = |manager, fill| {
+        let options = ABufferOptions {
+            manager,
+            fill,
+            ..ABufferOptions::DEFAULT
+        };
+        let (frame, counts) = render(&mut renderer, &scene, options);
+        assert_eq!(frame.stats.lost, Some(0));
+        (counts.list_bytes, frame.stats.fragments)
+    };
+    let (by_atomics, fragments) = bytes(Manager::Ppll, Fill::Atomics);
+    assert_eq!(by_atomics, fragments * (16 + 4) + 16);
+    if context.driver().has("GL_EXT_shader_framebuffer_fetch") {
+        let (in_order, _) = bytes(Manager::Ppll, Fill::Ordered);
+        let (dynamic, _) = bytes(Manager::Dfb, Fill::Ordered);
+        assert_eq!(in_order, dynamic + fragments * 4);
+    }
 }
 
 /// z f32, id i32, colour 4 x f16: the bytes follow from what is allocated, the bits of the id from how ties come out (the

@@ -8,11 +8,18 @@ uniform uint first_triangle;
 
 #include "a_buffer/pixel.glsl"
 #include "a_buffer/record.glsl"
+#if MANAGER == PPLL
+#include "a_buffer/pool.glsl"
+#else
 #include "a_buffer/place.glsl"
+#endif
 
 layout(binding = 0, r32ui) uniform uimage2D counter;
 #if MANAGER == PPLL
 layout(binding = 1, r32ui) uniform uimage2D anchor;
+layout(std430, binding = 1) writeonly buffer Next {
+    uint next[];
+};
 #endif
 layout(std430, binding = 0) writeonly buffer Records {
     uvec4 records[];

@@ -1,7 +1,7 @@
 #version 450 core
 #extension GL_EXT_shader_framebuffer_fetch : require
 // Fill Step with ordered fragments: the pixel's counter, and with PPLL its anchor, are colours of the framebuffer, which
-// a fragment reads and writes in its turn. No atomics, but for PPLL's node pool, which all pixels share.
+// a fragment reads and writes in its turn. No atomics.
 
 vec4 surface_color();    // surface/unlit.frag or surface/lit.frag
 
@@ -15,6 +15,9 @@ uniform uint first_triangle;
 layout(location = 0) inout uint counter;
 #if MANAGER == PPLL
 layout(location = 1) inout uint anchor;
+layout(std430, binding = 1) writeonly buffer Next {
+    uint next[];
+};
 #endif
 layout(std430, binding = 0) writeonly buffer Records {
     uvec4 records[];

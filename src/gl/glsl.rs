@@ -52,6 +52,10 @@ const FILES: &[(&str, &str)] = &[
         include_str!("../../glsl/a_buffer/place.glsl"),
     ),
     (
+        "a_buffer/pool.glsl",
+        include_str!("../../glsl/a_buffer/pool.glsl"),
+    ),
+    (
         "a_buffer/pp_dp.glsl",
         include_str!("../../glsl/a_buffer/pp_dp.glsl"),
     ),
@@ -465,5 +469,21 @@ mod tests {
             assert!(text.contains("invariant gl_Position;"), "{name}");
             assert!(text.starts_with("#version"), "{name}");
         }
+    }
+
+    /// The issue asks for it; the fill that the paper has is the control.
+    #[test]
+    fn the_ordered_fill_has_no_atomics() {
+        let atomics = |name| {
+            let source = Source::load_with(name, &[]).expect("it is embedded");
+            let code = source
+                .text
+                .lines()
+                .map(|line| line.split("//").next().unwrap_or(""));
+            code.filter(|line| line.to_lowercase().contains("atomic"))
+                .count()
+        };
+        assert_eq!(atomics("a_buffer/fill_ordered.frag"), 0);
+        assert_eq!(atomics("a_buffer/fill.frag"), 3);
     }
 }

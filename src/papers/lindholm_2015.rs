@@ -250,9 +250,9 @@ pub const COST: Map = Map::named("resolve cost");
 pub const RECORDS: Storage = Storage("fragment records");
 /// PPLL: the record after each record, 0 for none.
 pub const NEXT: Storage = Storage("list links");
-/// DFB: each pixel's base offset into the pool.
+/// DFB, and PPLL that is filled in order: each pixel's base offset into the pool.
 pub const OFFSETS: Storage = Storage("base offsets");
-/// PPLL: how many nodes have been taken from the pool.
+/// PPLL that is filled by atomics: how many nodes have been taken from the pool.
 pub const POOL: Storage = Storage("node pool");
 /// Where complexity is counted.
 pub const COUNT: Target = Target("count");

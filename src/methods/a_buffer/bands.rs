@@ -2,7 +2,7 @@
 //!
 //! "Nothing lost" begins here: list memory is sized from an exact count of every pixel's fragments.
 
-use super::options::{ABufferOptions, Manager};
+use super::options::{ABufferOptions, Fill, Manager};
 use crate::error::{Error, Result};
 use crate::gl::GlMachine;
 
@@ -28,13 +28,15 @@ impl Band {
         }
     }
 
-    /// Bytes of the lists: records, links, base offsets.
+    /// Bytes of the lists: records, links, base offsets. An automatic fill counts as an ordered one.
     pub fn bytes(&self, options: &ABufferOptions, width: u32) -> u64 {
-        let offsets = match options.manager {
-            Manager::Dfb => GlMachine::scan_bytes(u64::from(width) * u64::from(self.rows)),
-            Manager::Ffb => 0,
+        let offsets = match (options.manager, options.fill) {
+            (Manager::Ffb, _) => 0,
             // The pool's counter.
-            Manager::Ppll => 16,
+            (Manager::Ppll, Fill::Atomics) => 16,
+            (Manager::Dfb | Manager::Ppll, _) => {
+                GlMachine::scan_bytes(u64::from(width) * u64::from(self.rows))
+            }
         };
         self.records(options.manager, width) * options.record_bytes() + offsets
     }

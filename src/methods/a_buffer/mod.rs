@@ -124,6 +124,12 @@ impl Algorithm for ABuffer {
                 remedy: "fill with atomics".into(),
             });
         }
+        if self.options.fill == Fill::Automatic {
+            self.options.fill = match self.ordered(machine) {
+                true => Fill::Ordered,
+                false => Fill::Atomics,
+            };
+        }
         machine.allocate(paper::COMPLEXITY, Format::R32F)?;
         machine.allocate(paper::COUNTER, Format::R32Ui)?;
         machine.allocate(paper::ANCHOR, Format::R32Ui)?;
@@ -209,7 +215,10 @@ impl ABuffer {
             Manager::Dfb => machine.prefix_scan(paper::COMPLEXITY, paper::OFFSETS)?,
             Manager::Ppll => {
                 machine.allocate_storage(paper::NEXT, records * 4, Some(Texels::R32Ui))?;
-                machine.clear_storage(paper::POOL)?;
+                match options.fill {
+                    Fill::Atomics => machine.clear_storage(paper::POOL)?,
+                    _ => machine.prefix_scan(paper::COMPLEXITY, paper::OFFSETS)?,
+                }
                 machine.bind_texels(4, paper::NEXT)?;
             }
         }

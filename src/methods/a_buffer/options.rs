@@ -9,7 +9,8 @@ pub enum Manager {
     Ffb,
     /// Dynamic Fragment Buffer: every pixel has the room that it needs, at a base offset that a prefix scan finds.
     Dfb,
-    /// Per-Pixel Linked Lists in one pool of nodes.
+    /// Per-Pixel Linked Lists in one pool of nodes: taken as they come by [`Fill::Atomics`], a pixel's nodes side by side
+    /// by [`Fill::Ordered`].
     #[default]
     Ppll,
 }
@@ -42,7 +43,8 @@ pub enum Fill {
     Automatic,
     /// Image atomics, as the paper has it.
     Atomics,
-    /// `GL_EXT_shader_framebuffer_fetch`: a pixel's fragments take their turns.
+    /// `GL_EXT_shader_framebuffer_fetch`: a pixel's fragments take their turns, without atomics. Linked lists then find
+    /// their nodes by DFB's base offsets, for pixels that share no counter share no pool either.
     Ordered,
 }
 
