@@ -136,11 +136,15 @@ fn without_a_name_the_listings_are_listed_by_paper() {
         expected += &format!("{}\n", paper.citation);
         for (key, listing, _) in paper.listings {
             let name = format!("{}/{key}", paper.key);
-            expected += &format!("  {name:<24} {}\n", listing.title);
+            expected += &format!("  {name:<26} {}\n", listing.title);
         }
         for (key, algorithm, _) in paper.algorithms {
             let name = format!("{}/{key}", paper.key);
-            expected += &format!("  {name:<24} {}\n", algorithm.title);
+            expected += &format!("  {name:<26} {}\n", algorithm.title);
+        }
+        for (key, algorithm, _) in paper.list_algorithms {
+            let name = format!("{}/{key}", paper.key);
+            expected += &format!("  {name:<26} {}\n", algorithm.title);
         }
     }
     assert_eq!(result(&["listing"]), expected);
@@ -204,7 +208,8 @@ fn a_paper_alone_gives_all_of_its_listings() {
     for paper in papers() {
         let listings = paper.listings.iter().map(|(key, ..)| key);
         let algorithms = paper.algorithms.iter().map(|(key, ..)| key);
-        let each = listings.chain(algorithms).map(|key| {
+        let on_lists = paper.list_algorithms.iter().map(|(key, ..)| key);
+        let each = listings.chain(algorithms).chain(on_lists).map(|key| {
             let name = format!("{}/{key}", paper.key);
             result(&["listing", &name])
         });

@@ -124,6 +124,25 @@ fn render_as_json_has_the_lists_counters() {
     assert!(object.get("records_read").is_none(), "{object}");
 }
 
+/// 200 pixels with 3 fragments each, and arrays of 8.
+#[test]
+fn compare_shows_the_lists_counters_of_methods_that_have_them() {
+    let desk = desk();
+    let out = desk.result(&["compare", "s.toml", "-m", "blend,dfb+ppdp,ppll"]);
+    let row = |name: &str| {
+        let rows = out.lines().map(|line| line.split_whitespace().collect());
+        let mut found = rows.filter(|row: &Vec<_>| row.first() == Some(&name));
+        (found.next(), found.next())
+    };
+    assert!(matches!(row("blend"), (Some(_), None)), "{out}");
+    let counters = |name| row(name).1.expect("a second row")[3..].to_vec();
+    assert_eq!(counters("dfb+ppdp"), ["600", "200", "1", "1600", "600"]);
+    assert_eq!(counters("ppll"), ["600", "200", "1", "12800", "600"]);
+    // No lists, no table of them.
+    let out = desk.result(&["compare", "s.toml", "-m", "blend"]);
+    assert!(!out.contains("fragment lists"), "{out}");
+}
+
 #[test]
 fn options_of_other_methods_are_refused() {
     for arguments in [

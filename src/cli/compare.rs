@@ -19,10 +19,14 @@ pub(super) const FRAMES: usize = 5;
 
 /// Compare methods on one scene: passes, time, and error against the exact image
 ///
-/// Iterations are rounds of the method's loop; geometry passes, how often the transparent geometry was drawn; lost
+/// Iterations are rounds of the method's loop; passes, how often the transparent geometry was drawn; lost
 /// fragments belong into the image and are not in it. Memory is what the method allocates on the GPU besides the
 /// geometry. Times are milliseconds a frame: medians of several frames after a warm-up, readback left out; they compare
 /// within one run only. Errors are differences of a channel from the exact image, 0 to 1.
+///
+/// Of methods with fragment lists a second table has the bytes of the lists in the largest band, how many records were
+/// read from them, how often all pixels' lists were walked, how often the one that was walked most, and how many elements
+/// of local arrays were there for the pixels and held a fragment at some time.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Compare {
@@ -77,6 +81,9 @@ impl Compare {
                 "{} fragments in {} x {} pixels",
                 exact.stats.fragments, scene.size[0], scene.size[1]
             ))?;
+            if let Some(lists) = table_of_lists(&results) {
+                say(format_args!("\n{lists}"))?;
+            }
         }
         for (frame, _) in &results {
             if let Some(note) = loss(&frame.stats) {
@@ -108,11 +115,10 @@ fn runs_here(method: &Method, context: &Context) -> bool {
 }
 
 fn table(results: &[(Frame, Comparison)]) -> Table {
-    let mut table = Table::new();
-    table.load_style(presets::NOTHING).set_header([
+    let mut table = empty_table(&[
         "method",
         "iterations",
-        "geometry passes",
+        "passes",
         "lost",
         "memory MiB",
         "ms",
@@ -127,14 +133,58 @@ fn table(results: &[(Frame, Comparison)]) -> Table {
             stats
                 .lost
                 .map_or_else(|| "not counted".into(), |lost| lost.to_string()),
-            format!("{:.1}", stats.bytes as f64 / f64::from(1 << 20)),
+            mebibytes(stats.bytes),
             format!("{:.1}", stats.ms),
             format!("{:.2e}", error.max),
             format!("{:.2e}", error.rms),
         ]);
     }
+    numbers_to_the_right(table)
+}
+
+/// What the fragment lists have cost the methods that have any.
+fn table_of_lists(results: &[(Frame, Comparison)]) -> Option<Table> {
+    let mut table = empty_table(&[
+        "fragment lists",
+        "bands",
+        "list MiB",
+        "records read",
+        "subpasses",
+        "most",
+        "slots reserved",
+        "used",
+    ]);
+    for (Frame { stats, .. }, _) in results {
+        if let Some(counts) = &stats.a_buffer {
+            table.add_row([
+                stats.method.clone(),
+                counts.bands.to_string(),
+                mebibytes(counts.list_bytes),
+                counts.records_read.to_string(),
+                counts.subpasses.to_string(),
+                counts.most_subpasses.to_string(),
+                counts.slots_reserved.to_string(),
+                counts.slots_used.to_string(),
+            ]);
+        }
+    }
+    (table.row_count() > 0).then(|| numbers_to_the_right(table))
+}
+
+fn empty_table(header: &[&str]) -> Table {
+    let mut table = Table::new();
+    table.load_style(presets::NOTHING).set_header(header);
+    table
+}
+
+/// All but the method.
+fn numbers_to_the_right(mut table: Table) -> Table {
     for column in table.column_iter_mut().skip(1) {
         column.set_cell_alignment(CellAlignment::Right);
     }
     table
+}
+
+fn mebibytes(bytes: u64) -> String {
+    format!("{:.1}", bytes as f64 / f64::from(1 << 20))
 }
