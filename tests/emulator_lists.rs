@@ -5,16 +5,19 @@ use onionskin::emulator::{ListRun, run_on_lists};
 use onionskin::fragment::{Fragment, Rgba};
 use onionskin::papers::lindholm_2015::components::*;
 use onionskin::steps::pseudo::Algorithm;
-use onionskin::steps::pseudo::list::{self, Counter, Line, Mark, Test};
+use onionskin::steps::pseudo::list::{self, Counter, Line, Mark};
 use onionskin::steps::{Amendment, diff};
 use proptest::prelude::*;
 use proptest::test_runner::TestError;
 
+#[path = "common/masks.rs"]
+mod masks;
 #[path = "common/pp_dp.rs"]
 mod pp_dp;
 #[path = "common/stack.rs"]
 #[allow(dead_code)]
 mod stack;
+use masks::{stencil, times_resolved};
 use pp_dp::{Rule, peel};
 
 /// Printed, with a condition that ends it (erratum L3).
@@ -280,21 +283,26 @@ fn every_complexity(most: u32) -> Vec<Vec<Fragment>> {
     (1..=most).map(|count| list(&depths(count))).collect()
 }
 
-/// Erratum L5.
+/// Erratum L5. Amended, every pixel is in one segment: the smallest that holds it, and the last if none does.
 #[test]
 fn l11_past_the_last_segment_nothing_is_resolved_as_printed() {
-    let lists = every_complexity(80);
-    let printed = run(&PP_AO, &[], &lists, 32);
-    let amended = run(&PP_AO, &[PP_AO_AMENDMENT], &lists, 32);
-    for ((list, printed), amended) in lists.iter().zip(&printed.pixels).zip(&amended.pixels) {
-        let count = list.len() as u32;
-        assert_eq!(printed.times, u32::from(count <= 32), "{count}");
-        assert_eq!(amended.times, 1, "{count}");
-        assert_eq!(amended.composited, sorted(list), "{count}");
-        // The smallest segment that holds the pixel, and the last for the others.
-        let segment = count.next_power_of_two().clamp(8, 32);
-        assert_eq!(amended.slots, [segment, count.min(segment)], "{count}");
-        assert_eq!(amended.subpasses, count.div_ceil(segment), "{count}");
+    let lists = every_complexity(600);
+    for max in [8, 16, 64, 256] {
+        let printed = run(&PP_AO, &[], &lists, max);
+        let amended = run(&PP_AO, &[PP_AO_AMENDMENT], &lists, max);
+        for ((list, printed), amended) in lists.iter().zip(&printed.pixels).zip(&amended.pixels) {
+            let count = list.len() as u32;
+            assert_eq!(printed.times, u32::from(count <= max), "{count} {max}");
+            assert_eq!(amended.times, 1, "{count} {max}");
+            assert_eq!(amended.composited, sorted(list), "{count} {max}");
+            let segment = count.next_power_of_two().clamp(8, max);
+            assert_eq!(
+                amended.slots,
+                [segment, count.min(segment)],
+                "{count} {max}"
+            );
+            assert_eq!(amended.subpasses, count.div_ceil(segment), "{count} {max}");
+        }
     }
 }
 
@@ -310,35 +318,9 @@ fn l09_without_pp_dp_the_last_segment_drops_what_overflows_it() {
     }
 }
 
-macro_rules! masked_with {
-    ($mark:expr) => {
-        &[Line::If(
-            Test::StencilFitsSegment,
-            &[Line::ResolveSegment, Line::Mark($mark)],
-            &[],
-        )]
-    };
-}
-/// ppAO by the stencil buffer: how often the pixels of each complexity are resolved.
+/// How often the pixels of 1, 2, 3 ... 600 fragments are resolved with a stencil buffer's masks.
 fn times(counter: Counter, mark: Mark, max: u32) -> Vec<u32> {
-    let (count, masked): (&'static [Line], &'static [Line]) = match (counter, mark) {
-        (Counter::StencilWrapping, _) => (
-            &[Line::Count(Counter::StencilWrapping)],
-            masked_with!(Mark::Invert),
-        ),
-        (_, Mark::Keep) => (&[Line::Count(Counter::Stencil)], masked_with!(Mark::Keep)),
-        (_, Mark::Replace) => (
-            &[Line::Count(Counter::Stencil)],
-            masked_with!(Mark::Replace),
-        ),
-        _ => (&[Line::Count(Counter::Stencil)], masked_with!(Mark::Invert)),
-    };
-    let run = run(
-        &PP_AO,
-        &by_stencil(count, masked),
-        &every_complexity(600),
-        max,
-    );
+    let run = run(&PP_AO, &stencil(counter, mark), &every_complexity(600), max);
     run.pixels.iter().map(|pixel| pixel.times).collect()
 }
 
@@ -347,6 +329,19 @@ fn wrong(times: &[u32]) -> Vec<usize> {
     (1..=times.len())
         .filter(|&complexity| times[complexity - 1] != 1)
         .collect()
+}
+
+/// Every counter, mark and last segment, for every complexity from 1 to 600, against arithmetic.
+#[test]
+fn l11_the_stencil_s_masks_are_what_arithmetic_says() {
+    for counter in [Counter::Stencil, Counter::StencilWrapping] {
+        for mark in [Mark::Keep, Mark::Replace, Mark::Invert] {
+            for max in [8, 16, 32, 64, 128, 256] {
+                let expected = (1..=600).map(|c| times_resolved(c, max, mark, counter));
+                assert!(times(counter, mark, max).into_iter().eq(expected));
+            }
+        }
+    }
 }
 
 /// Erratum L7: what marks a pixel is not said.
@@ -358,6 +353,7 @@ fn l11_of_the_marks_only_invert_works_and_only_up_to_128() {
         (65..=600).collect::<Vec<_>>(),
         "past the last (L5)"
     );
+    // 255 - 127 = 128 comes after the segment of 128.
     assert_eq!(invert(128), (129..=600).collect::<Vec<_>>());
     // A reference of 256 is clamped to 255, and so passes what was inverted before.
     assert_eq!(invert(256), (1..=128).collect::<Vec<_>>());
@@ -376,26 +372,14 @@ fn l11_of_the_marks_only_invert_works_and_only_up_to_128() {
 #[test]
 fn l11_eight_bits_send_what_is_past_255_to_the_wrong_segment() {
     let lists = every_complexity(600);
-    let count: &[Line] = &[Line::Count(Counter::StencilWrapping)];
-    let masked = masked_with!(Mark::Invert);
-    let wrapping = run(&PP_AO, &by_stencil(count, masked), &lists, 64);
-    assert_eq!(
-        wrapping.pixels[259].slots,
-        [8, 8],
-        "260 fragments in an array of 8"
-    );
+    let wrapping = stencil(Counter::StencilWrapping, Mark::Invert);
+    let wrapping = &run(&PP_AO, &wrapping, &lists, 64).pixels[259];
+    assert_eq!(wrapping.slots, [8, 8], "260 fragments in an array of 8");
     // By INCR all of 255 and more share a segment, if there is one so large: 256, clamped to 255.
-    let share = times(Counter::Stencil, Mark::Keep, 256);
-    assert_eq!(share[254..], [1; 346]);
+    let staying = run(&PP_AO, &stencil(Counter::Stencil, Mark::Keep), &lists, 256);
+    assert!(staying.pixels[254..].iter().all(|pixel| pixel.times == 1));
     // Its array takes 256, the rest is lost without ppDP.
-    let count: &[Line] = &[Line::Count(Counter::Stencil)];
-    let run = run(
-        &PP_AO,
-        &by_stencil(count, masked_with!(Mark::Keep)),
-        &lists,
-        256,
-    );
-    assert_eq!(run.pixels[599].composited.len(), 256);
+    assert_eq!(staying.pixels[599].composited.len(), 256);
 }
 
 #[test]

@@ -10,13 +10,16 @@ use onionskin::methods::{ABufferOptions, Manager, RecordColor};
 use onionskin::papers::lindholm_2015::components::*;
 use onionskin::steps::Amendment;
 use onionskin::steps::pseudo::Algorithm;
-use onionskin::steps::pseudo::list::{Counter, Line, Mark, Test};
+use onionskin::steps::pseudo::list::{Counter, Line, Mark};
 use onionskin::{Context, Method, Renderer};
 use proptest::test_runner::{TestCaseError, TestError};
 
+#[path = "common/masks.rs"]
+mod masks;
 #[path = "common/stack.rs"]
 #[allow(dead_code)]
 mod stack;
+use masks::stencil;
 use stack::{Stack, fragments, runner, stacks};
 
 /// 32-bit colours composited in at most a dozen roundings of 2^-24 each, as in `gl_a_buffer.rs`.
@@ -99,19 +102,11 @@ fn twins() -> Vec<Twins> {
             as_printed: true,
             ..pp_ao
         };
-        add("ppAO as printed", PP_AO, &BY_STENCIL, as_printed);
+        let invert = stencil(Counter::Stencil, Mark::Invert);
+        add("ppAO as printed", PP_AO, &invert, as_printed);
     }
     all
 }
-
-const BY_STENCIL: [Amendment<Line>; 2] = by_stencil(
-    &[Line::Count(Counter::Stencil)],
-    &[Line::If(
-        Test::StencilFitsSegment,
-        &[Line::ResolveSegment, Line::Mark(Mark::Invert)],
-        &[],
-    )],
-);
 
 /// What the Fill Step leaves of a stack's pixels: what lies before the opaque surface.
 fn lists(stack: &Stack) -> Vec<Vec<Fragment>> {

@@ -1,5 +1,5 @@
-//! What of Lindholm et al. 2015 can be shown without GL: ppDP's rules on random and on all lists, and the stencil
-//! arithmetic of ppAO's masks.
+//! What of Lindholm et al. 2015 can be shown without GL and without the pseudocode: ppDP's rules on random and on all
+//! lists, in Rust. `emulator_lists.rs` holds the pseudocode against them.
 
 #[path = "common/pp_dp.rs"]
 mod pp_dp;
@@ -101,77 +101,4 @@ fn l13_a_loop_that_waits_for_a_lost_tie_never_ends() {
 fn l13_a_fragment_at_depth_0_is_skipped_as_printed() {
     assert_eq!(peel(&[0, 3, 4], 8, Rule::Printed).lost, 1);
     assert_eq!(peel(&[0, 3, 4], 8, Rule::Amended).lost, 0);
-}
-
-/// What could mark a pixel as resolved.
-#[derive(Clone, Copy, Debug)]
-enum Mark {
-    Keep,
-    Replace,
-    Invert,
-}
-
-/// How often a pixel of this complexity is resolved by the segments 8, 16 ... `max`, masked by an 8-bit stencil that
-/// counted with INCR, or with INCR_WRAP.
-fn times_resolved(complexity: u32, max: u32, mark: Mark, wraps: bool) -> u32 {
-    let mut stencil = if wraps {
-        complexity % 256
-    } else {
-        complexity.min(255)
-    };
-    let mut times = 0;
-    let mut size = 8;
-    while size <= max {
-        // glStencilFunc clamps its reference to the stencil buffer's bits.
-        let reference = size.min(255);
-        if reference >= stencil {
-            times += 1;
-            stencil = match mark {
-                Mark::Keep => stencil,
-                Mark::Replace => reference,
-                Mark::Invert => 255 - stencil,
-            };
-        }
-        size *= 2;
-    }
-    times
-}
-
-/// Errata L5 to L7, for every complexity from 1 to 600.
-#[test]
-fn l11_of_the_stencil_s_marks_only_invert_works_and_only_below_128() {
-    let bad = |max, mark| {
-        let wrong = |&c: &u32| times_resolved(c, max, mark, false) != 1;
-        (1..=600).filter(wrong).collect::<Vec<u32>>()
-    };
-    // Past the last segment nothing is resolved, whatever the mark.
-    assert_eq!(bad(64, Mark::Invert), (65..=600).collect::<Vec<_>>());
-    // Without a mark, or with the reference, every lower segment's pixels come again.
-    for mark in [Mark::Keep, Mark::Replace] {
-        assert_eq!(times_resolved(5, 64, mark, false), 4, "{mark:?}");
-    }
-    // With 128 as the last segment, none below 128 is wrong by INVERT: 255 - 127 = 128 comes after it.
-    assert_eq!(bad(128, Mark::Invert), (129..=600).collect::<Vec<_>>());
-    // With 256, which is clamped to 255, everything above the first test that it passes is resolved once more.
-    assert!(bad(256, Mark::Invert).len() > 100);
-    assert_eq!(times_resolved(127, 256, Mark::Invert, false), 2);
-    // L6: with INCR_WRAP, 256 to 263 land in the segment of 8.
-    assert_eq!(times_resolved(260, 64, Mark::Invert, true), 1);
-}
-
-/// The amended masks: previous segment < count <= i, the last one takes what is left.
-#[test]
-fn l11_by_an_integer_counter_every_pixel_is_in_one_segment() {
-    for max in [8, 16, 64, 256] {
-        for complexity in 1..=600_u32 {
-            let mut size = 8;
-            let mut times = 0;
-            while size <= max {
-                let before = if size == 8 { 0 } else { size / 2 };
-                times += u32::from(complexity > before && (complexity <= size || size == max));
-                size *= 2;
-            }
-            assert_eq!(times, 1, "{complexity} {max}");
-        }
-    }
 }
