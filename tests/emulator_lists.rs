@@ -95,26 +95,6 @@ fn the_pseudocode_prints_as_the_paper_has_it() {
     assert!(found.contains("+until no element was dropped;"), "{found}");
 }
 
-/// How often an amendment's lines occur, nested ones included.
-fn occurrences(amendment: &Amendment<Line>, lines: &[Line]) -> usize {
-    let here = lines
-        .windows(amendment.printed.len())
-        .filter(|w| *w == amendment.printed)
-        .count();
-    let inside = lines.iter().map(|line| match line {
-        Line::Pixels(body)
-        | Line::UnresolvedPixels(body)
-        | Line::Segments(body)
-        | Line::Fragments(body)
-        | Line::Repeat(body) => occurrences(amendment, body),
-        Line::If(_, then, otherwise) => {
-            occurrences(amendment, then) + occurrences(amendment, otherwise)
-        }
-        _ => 0,
-    });
-    here + inside.sum::<usize>()
-}
-
 #[test]
 fn every_amendment_is_found_in_its_algorithm_once() {
     let by_stencil = by_stencil(&[], &[]);
@@ -126,7 +106,7 @@ fn every_amendment_is_found_in_its_algorithm_once() {
         (&PP_AO, &by_stencil),
     ] {
         for amendment in amendments {
-            let found = occurrences(amendment, algorithm.lines);
+            let found = amendment.occurrences(algorithm.lines);
             assert_eq!(found, 1, "{}", amendment.place);
         }
     }

@@ -6,7 +6,7 @@
 use onionskin::papers::carr_2008::{coherent, hybrid, ideal, passes};
 use onionskin::papers::papers;
 use onionskin::steps;
-use onionskin::steps::pseudo::{self, Line};
+use onionskin::steps::pseudo;
 use onionskin::steps::{Amendment, diff, gl::*, print};
 
 const PASSES: &str = include_str!("transcripts/carr_passes.txt");
@@ -82,24 +82,6 @@ fn a_changed_line_of_an_algorithm_is_found_by_the_diff() {
     assert!(found.contains("zPeel <- before zNear"), "{found}");
 }
 
-/// How often an amendment's lines occur, nested ones included.
-fn occurrences(amendment: &Amendment<Line>, lines: &[Line]) -> usize {
-    let here = lines
-        .windows(amendment.printed.len())
-        .filter(|w| *w == amendment.printed)
-        .count();
-    let inside = lines.iter().map(|line| match line {
-        Line::Pixels(body) | Line::Fragments { body, .. } | Line::While { body, .. } => {
-            occurrences(amendment, body)
-        }
-        Line::If {
-            then, otherwise, ..
-        } => occurrences(amendment, then) + occurrences(amendment, otherwise),
-        Line::Set { .. } | Line::Swap(..) | Line::Composite => 0,
-    });
-    here + inside.sum::<usize>()
-}
-
 #[test]
 fn every_amendment_of_an_algorithm_is_found_in_it_once() {
     for (amendments, algorithm) in [
@@ -109,7 +91,7 @@ fn every_amendment_of_an_algorithm_is_found_in_it_once() {
     ] {
         for amendment in amendments {
             assert_eq!(
-                occurrences(amendment, algorithm.lines),
+                amendment.occurrences(algorithm.lines),
                 1,
                 "{}",
                 amendment.place

@@ -30,26 +30,22 @@ impl<S: PartialEq> Amendment<S> {
     }
 }
 
-impl Amendment {
-    /// How often `steps` have what this amendment replaces, nested steps included. An amendment that is found nowhere
+/// A statement that may have others inside.
+pub trait Statement: PartialEq + Sized + 'static {
+    /// What is inside: nothing, a body, or two branches.
+    fn bodies(&self) -> [&'static [Self]; 2];
+}
+
+impl<S: Statement> Amendment<S> {
+    /// How often `statements` have what this amendment replaces, nested ones included. An amendment that is found nowhere
     /// changes nothing, so tests ask.
-    pub fn occurrences(&self, steps: &[Step]) -> usize {
-        let here = steps
+    pub fn occurrences(&self, statements: &[S]) -> usize {
+        let here = statements
             .windows(self.printed.len().max(1))
             .filter(|w| *w == self.printed)
             .count();
-        here + steps
-            .iter()
-            .map(|step| match step {
-                Step::DepthUnit { body, .. }
-                | Step::For { body, .. }
-                | Step::ForDown { body, .. } => self.occurrences(body),
-                Step::If {
-                    then, otherwise, ..
-                } => self.occurrences(then) + self.occurrences(otherwise),
-                Step::Call(_) | Step::Let { .. } | Step::Stop { .. } | Step::Run { .. } => 0,
-            })
-            .sum::<usize>()
+        let bodies = statements.iter().flat_map(Statement::bodies);
+        here + bodies.map(|body| self.occurrences(body)).sum::<usize>()
     }
 }
 

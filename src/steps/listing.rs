@@ -1,6 +1,6 @@
 //! The branches of a listing: what the papers write around the calls.
 
-use super::amend::Amendment;
+use super::amend::{Amendment, Statement};
 use super::call::Call;
 use super::expr::{Condition, Expr};
 
@@ -90,6 +90,20 @@ pub enum Step {
         /// With what replaced in it.
         amendments: &'static [Amendment],
     },
+}
+
+impl Statement for Step {
+    fn bodies(&self) -> [&'static [Self]; 2] {
+        match *self {
+            Self::DepthUnit { body, .. } | Self::For { body, .. } | Self::ForDown { body, .. } => {
+                [body, &[]]
+            }
+            Self::If {
+                then, otherwise, ..
+            } => [then, otherwise],
+            Self::Call(_) | Self::Let { .. } | Self::Stop { .. } | Self::Run { .. } => [&[], &[]],
+        }
+    }
 }
 
 /// Why a loop was left.

@@ -40,7 +40,7 @@ mod signature;
 mod trace;
 mod walk;
 
-pub use amend::Amendment;
+pub use amend::{Amendment, Statement};
 pub use call::{
     BlendFactor, Buffers, Call, Capability, Compare, Index, Map, Objects, Query, Shader, StencilOp,
     Storage, Target,

@@ -12,7 +12,7 @@ pub mod list;
 
 use std::fmt;
 
-use super::amend::Amendment;
+use super::amend::{Amendment, Statement};
 use super::call::{Compare, Objects};
 
 /// An algorithm as its paper prints it, in statements that are [`Line`]s, or another paper's [`list::Line`]s.
@@ -67,6 +67,20 @@ pub enum Line {
     Swap(&'static str, &'static str),
     /// `Composite fragment into color buffer`
     Composite,
+}
+
+impl Statement for Line {
+    fn bodies(&self) -> [&'static [Self]; 2] {
+        match *self {
+            Self::Pixels(body) | Self::Fragments { body, .. } | Self::While { body, .. } => {
+                [body, &[]]
+            }
+            Self::If {
+                then, otherwise, ..
+            } => [then, otherwise],
+            Self::Set { .. } | Self::Swap(..) | Self::Composite => [&[], &[]],
+        }
+    }
 }
 
 /// What an assignment assigns.

@@ -6,7 +6,7 @@
 use std::fmt;
 
 use super::Algorithm;
-use crate::steps::Amendment;
+use crate::steps::{Amendment, Statement};
 
 /// One statement.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -59,6 +59,20 @@ pub enum Line {
     Store(Key, Element),
     /// `clear buffer;`
     ClearBuffer,
+}
+
+impl Statement for Line {
+    fn bodies(&self) -> [&'static [Self]; 2] {
+        match *self {
+            Self::Pixels(body)
+            | Self::UnresolvedPixels(body)
+            | Self::Segments(body)
+            | Self::Fragments(body)
+            | Self::Repeat(body) => [body, &[]],
+            Self::If(_, then, otherwise) => [then, otherwise],
+            _ => [&[], &[]],
+        }
+    }
 }
 
 /// What an `if` asks.
