@@ -14,16 +14,17 @@ use onionskin::steps::pseudo::list::{Counter, Line, Mark};
 use onionskin::{Context, Method, Renderer};
 use proptest::test_runner::{TestCaseError, TestError};
 
+#[path = "common/a_buffer.rs"]
+#[allow(dead_code)]
+mod a_buffer;
 #[path = "common/masks.rs"]
 mod masks;
 #[path = "common/stack.rs"]
 #[allow(dead_code)]
 mod stack;
+use a_buffer::{F32, MANAGERS};
 use masks::stencil;
 use stack::{Stack, fragments, runner, stacks};
-
-/// 32-bit colours composited in at most a dozen roundings of 2^-24 each, as in `gl_a_buffer.rs`.
-const F32: f64 = 1e-5;
 
 /// The same on both sides.
 struct Twins {
@@ -52,7 +53,6 @@ impl Twins {
 
 /// As printed the order in memory decides between equal depths, which in the shader always is that of submission.
 const CONTIGUOUS: [Manager; 2] = [Manager::Ffb, Manager::Dfb];
-const MANAGERS: [Manager; 3] = [Manager::Ffb, Manager::Dfb, Manager::Ppll];
 
 fn twins() -> Vec<Twins> {
     let mut all = Vec::new();

@@ -9,6 +9,7 @@ use onionskin::{Context, Method, Renderer, Scene, steps};
 use proptest::test_runner::{TestCaseError, TestError};
 
 #[path = "common/stack.rs"]
+#[allow(dead_code)]
 mod stack;
 use stack::{Piece, Stack, fragments, runner, stacks};
 

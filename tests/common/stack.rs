@@ -156,6 +156,33 @@ pub fn fragments(pieces: &[Piece]) -> Vec<Fragment> {
     pieces.iter().enumerate().map(fragment).collect()
 }
 
+/// Fragments in an order that is neither front to back nor back to front, on so many levels of [`LEVELS`]; with 997 of
+/// them hardly one twice.
+pub fn scattered(count: usize, seed: usize, levels: usize) -> Vec<Piece> {
+    let part = |number: usize, step: usize| ((number + seed) * step % 101) as f32 / 100.0;
+    let piece = |number: usize| Piece {
+        // 997 is prime.
+        level: ((number + seed) * 389 % 997 % levels) as u16,
+        color: [
+            part(number, 7),
+            part(number, 13),
+            part(number, 29),
+            0.02 + 0.1 * part(number, 37),
+        ],
+    };
+    (0..count).map(piece).collect()
+}
+
+/// A row of pixels with so many fragments each.
+pub fn row(counts: &[usize]) -> Stack {
+    let pixel = |(pixel, &count): (usize, &usize)| scattered(count, pixel, 997);
+    Stack {
+        width: counts.len() as u32,
+        pixels: counts.iter().enumerate().map(pixel).collect(),
+        opaque: None,
+    }
+}
+
 /// Random stacks of 3 x 2 pixels on `levels` depths; on few of them there are ties, `distinct` takes them out.
 pub fn stacks(levels: u16, distinct: bool) -> impl Strategy<Value = Stack> {
     // 0 and 1 are the alphas that go wrong.
