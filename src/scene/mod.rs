@@ -4,6 +4,7 @@
 //! Everything is resolved when it is loaded: the camera is fitted, colours and opacities are per vertex, polygons are
 //! triangles, normals are there. What had to be repaired or left out on the way is said in [`Scene::notices`].
 
+mod animation;
 mod bounds;
 mod camera;
 mod chance;
@@ -13,16 +14,19 @@ pub mod generate;
 mod mesh;
 mod normals;
 mod obj;
+mod path;
 mod source;
 mod transform;
 mod volume;
 
 use std::path::Path;
 
+pub use animation::Animation;
 pub use bounds::Bounds;
 pub use camera::Camera;
 pub use fit::PartialCamera;
 pub use mesh::{Mesh, Shading, Vertex};
+pub use path::CameraPath;
 pub use source::MAX_BYTES;
 pub use transform::Transform;
 pub use volume::{MAX_SAMPLES, Medium, Transfer, TransferPoint, Volume};
@@ -71,7 +75,7 @@ impl Scene {
         let path = path.as_ref();
         let extension = path.extension().unwrap_or_default().to_ascii_lowercase();
         match extension.to_str() {
-            Some("toml") => file::load(path, size),
+            Some("toml") => Ok(file::load(path, size)?.scene),
             Some("obj") => Self::load_model(path, size),
             _ => Err(Error::input(
                 Place::file(path),

@@ -37,6 +37,11 @@ impl<'a> Wish<'a> {
         })
     }
 
+    /// What the file says.
+    pub(super) fn partial(&self) -> PartialCamera {
+        self.camera
+    }
+
     /// The whole camera. A fault that shows only when its parts meet is laid to the key that it is about.
     pub(super) fn fit(&self, bounds: Option<Bounds>, size: [u32; 2]) -> Result<Camera> {
         let camera = self.camera.fit(bounds, size);

@@ -1,8 +1,11 @@
 //! `generate = "NAME"` and the parameters of each generator.
 
+use super::flow_generator::{ARROWS, STREAMLINES, arrows, streamlines};
+use super::isosurface;
 use super::keys::Keys;
 use super::limits::ANY;
 use super::mesh::COMMON;
+use super::volume::NamedVolume;
 use crate::error::Result;
 use crate::scene::generate::{
     Cone, Generator, Order, Plane, Quads, Slices, Soup, Teapot, TorusKnot,
@@ -11,8 +14,11 @@ use crate::scene::generate::{
 /// Reads one generator's parameters. What is left out has the default that the generator documents.
 type Reader = fn(&Keys) -> Result<Box<dyn Generator>>;
 
-/// All of them: name, parameters, reader.
-const GENERATORS: [(&str, &[&str], Reader); 7] = [
+/// The one that is made from a volume of the file.
+const ISOSURFACE: &str = "isosurface";
+
+/// All others: name, parameters, reader.
+const GENERATORS: [(&str, &[&str], Reader); 9] = [
     ("teapot", &["cells", "color", "opacity"], teapot),
     ("plane", &["size", "cells", "color", "opacity"], plane),
     (
@@ -44,16 +50,28 @@ const GENERATORS: [(&str, &[&str], Reader); 7] = [
         &["count", "extent", "triangle_size", "alpha", "seed"],
         soup,
     ),
+    ("streamlines", &STREAMLINES, streamlines),
+    ("arrows", &ARROWS, arrows),
 ];
 
-/// The generator of a mesh, its keys and parameters checked.
-pub(super) fn read(keys: &Keys) -> Result<Box<dyn Generator>> {
-    let choices = GENERATORS.each_ref().map(|entry| (entry.0, entry));
-    let Some((_, parameters, reader)) = keys.choice("generate", &choices)? else {
+/// The generator of a mesh, its keys and parameters checked. An isosurface's is made of one of the file's volumes.
+pub(super) fn read<'v>(keys: &Keys, volumes: &'v [NamedVolume]) -> Result<Box<dyn Generator + 'v>> {
+    let own = GENERATORS.iter().map(|entry| (entry.0, Some(entry)));
+    let choices: Vec<_> = own.chain([(ISOSURFACE, None)]).collect();
+    let Some(choice) = keys.choice("generate", &choices)? else {
         unreachable!("called for meshes with this key only")
     };
-    keys.expect_only(&[&["generate"], *parameters, &COMMON].concat())?;
-    let generator = reader(keys)?;
+    let known = |parameters: &[&'static str]| [&["generate"], parameters, &COMMON].concat();
+    let generator: Box<dyn Generator + 'v> = match choice {
+        Some((_, parameters, reader)) => {
+            keys.expect_only(&known(parameters))?;
+            reader(keys)?
+        }
+        None => {
+            keys.expect_only(&known(&isosurface::PARAMETERS))?;
+            Box::new(isosurface::read(keys, volumes)?)
+        }
+    };
     match generator.check() {
         Ok(()) => Ok(generator),
         Err(refusal) => Err(keys.wrong(refusal.key, refusal.what, refusal.remedy)),
@@ -62,7 +80,8 @@ pub(super) fn read(keys: &Keys) -> Result<Box<dyn Generator>> {
 
 /// All names, for messages.
 pub(super) fn names() -> String {
-    GENERATORS.map(|(name, ..)| name).join(", ")
+    let own = GENERATORS.map(|(name, ..)| name).join(", ");
+    format!("{own}, {ISOSURFACE}")
 }
 
 const ORDERS: [(&str, Order); 3] = [
@@ -154,7 +173,7 @@ fn soup(keys: &Keys) -> Result<Box<dyn Generator>> {
 }
 
 /// TOML's whole numbers end at the 64-bit signed ones.
-fn seed(keys: &Keys) -> Result<u64> {
+pub(super) fn seed(keys: &Keys) -> Result<u64> {
     let seed = keys.integer("seed", &(0..=i64::MAX as u64))?;
     Ok(seed.unwrap_or(0))
 }

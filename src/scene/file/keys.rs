@@ -165,6 +165,15 @@ impl<'a> Keys<'a> {
         })
     }
 
+    /// Any number of texts.
+    pub(super) fn texts(&self, key: &'a str) -> Result<Option<Vec<&'a str>>> {
+        let wanted = "a list of texts, as in [\"one\", \"two\"]";
+        self.read(key, |value| {
+            let text = |item: Value<'a>| item.get().as_str().ok_or_else(|| item.mistyped(wanted));
+            value.items(wanted)?.map(text).collect()
+        })
+    }
+
     /// One of several words, by what it stands for.
     pub(super) fn choice<T: Copy>(&self, key: &'a str, choices: &[(&str, T)]) -> Result<Option<T>> {
         let Some(text) = self.text(key)? else {

@@ -4,6 +4,8 @@ use std::path::Path;
 
 use super::keys::Keys;
 use super::limits::FRACTION;
+use super::sources::Source;
+use super::volume::NamedVolume;
 use super::{generator, transform};
 use crate::error::Result;
 use crate::scene::generate::MAX_TRIANGLES;
@@ -15,10 +17,12 @@ use crate::scene::obj::{self, Paint};
 pub(super) struct Loaded {
     pub(super) meshes: Vec<Mesh>,
     pub(super) notices: Vec<String>,
+    /// Which meshes each entry has made.
+    pub(super) sources: Vec<Source>,
 }
 
 /// The keys of every mesh, wherever it comes from.
-pub(super) const COMMON: [&str; 4] = ["shading", "inside", "sorted", "transform"];
+pub(super) const COMMON: [&str; 5] = ["name", "shading", "inside", "sorted", "transform"];
 /// The keys that say where it comes from, and those of a model.
 const OWN: [&str; 4] = ["file", "generate", "color", "opacity"];
 
@@ -29,19 +33,32 @@ const SHADINGS: [(&str, Shading); 4] = [
     ("two-sided", Shading::TwoSided),
 ];
 
-pub(super) fn load_all(top: &Keys) -> Result<Loaded> {
+/// Reads them; isosurfaces are taken from these volumes.
+pub(super) fn load_all(top: &Keys, volumes: &[NamedVolume]) -> Result<Loaded> {
     let mut loaded = Loaded::default();
     let mut generated = 0;
     for keys in top.tables("mesh", "[[mesh]]")? {
         let first = loaded.meshes.len();
-        load(&keys, &mut generated, &mut loaded)?;
+        load(&keys, volumes, &mut generated, &mut loaded)?;
         finish(&keys, &mut loaded, first)?;
+        let name = keys.text("name")?.map(str::to_owned);
+        let meshes = first..loaded.meshes.len();
+        loaded.sources.push(Source {
+            name,
+            meshes,
+            volumes: 0..0,
+        });
     }
     Ok(loaded)
 }
 
 /// Reads or generates the meshes of one entry.
-fn load(keys: &Keys, generated: &mut u64, loaded: &mut Loaded) -> Result<()> {
+fn load(
+    keys: &Keys,
+    volumes: &[NamedVolume],
+    generated: &mut u64,
+    loaded: &mut Loaded,
+) -> Result<()> {
     match (keys.text("file")?, keys.text("generate")?) {
         (Some(_), Some(_)) => Err(keys.wrong(
             "generate",
@@ -50,7 +67,7 @@ fn load(keys: &Keys, generated: &mut u64, loaded: &mut Loaded) -> Result<()> {
         )),
         (None, None) => {
             // A misspelt key is the likelier mistake.
-            keys.expect_only(&[OWN, COMMON].concat())?;
+            keys.expect_only(&[&OWN[..], &COMMON].concat())?;
             Err(keys.wrong(
                 "file",
                 "a mesh without geometry",
@@ -61,15 +78,20 @@ fn load(keys: &Keys, generated: &mut u64, loaded: &mut Loaded) -> Result<()> {
             ))
         }
         (Some(file), None) => {
-            keys.expect_only(&[OWN, COMMON].concat())?;
+            keys.expect_only(&[&OWN[..], &COMMON].concat())?;
             read_file(keys, file, loaded)
         }
-        (None, Some(_)) => generate(keys, generated, loaded),
+        (None, Some(_)) => generate(keys, volumes, generated, loaded),
     }
 }
 
-fn generate(keys: &Keys, generated: &mut u64, loaded: &mut Loaded) -> Result<()> {
-    let generator = generator::read(keys)?;
+fn generate(
+    keys: &Keys,
+    volumes: &[NamedVolume],
+    generated: &mut u64,
+    loaded: &mut Loaded,
+) -> Result<()> {
+    let generator = generator::read(keys, volumes)?;
     *generated += generator.triangle_count();
     if *generated > MAX_TRIANGLES {
         let what = format!(

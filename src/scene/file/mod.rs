@@ -29,17 +29,38 @@
 //!   { value = 5.0, color = [0.1, 0.2, 0.9], density = 0.4 },
 //! ]
 //! transform = { translate = [0, 1, 0] }
+//! hidden = false                   # true: it is there for its isosurfaces only, and needs no transfer function
+//! name = "potential"               # for isosurfaces and [[path.show]]; a mesh may have one, too
+//!
+//! [[mesh]]
+//! generate = "isosurface"
+//! volume = "potential"             # a volume's name
+//! value = 2.5
+//!
+//! [path]                           # for animations, see CameraPath; left out, the camera turns once in 36 frames
+//! frames = 400
+//! rotate = 90.0                    # degrees over all frames
+//! dolly = 0.4                      # in to this part of the distance, and back ...
+//! dolly_frames = 200               # ... in so many frames
+//!
+//! [[path.show]]                    # before the first one everything is shown
+//! from = 100                       # from this frame on ...
+//! sources = ["potential"]          # ... only what has one of these names
 //! ```
 //!
 //! A transform scales first (by one factor or by three), then rotates about the origin, then moves.
 
 mod camera;
+mod flow_generator;
 mod generator;
+mod isosurface;
 mod keys;
 mod limits;
 mod mesh;
 mod nearest;
+mod path;
 mod place;
+mod sources;
 mod transform;
 mod value;
 mod volume;
@@ -49,36 +70,41 @@ use std::path::Path;
 
 use toml::de::DeTable;
 
-use super::{Scene, joined, source, stem};
+use super::{Animation, Scene, Volume, joined, source, stem};
 use crate::error::{Error, Place, Result};
 use keys::Keys;
 use limits::FRACTION;
 use mesh::Loaded;
 use place::Document;
+use sources::Source;
+use volume::NamedVolume;
 
 /// The largest scene file that is read. It is written by hand; this leaves room for one written by a program.
 const MAX_BYTES: usize = 16 << 20;
 
 /// Reads a scene file and all that it names. A given size replaces the file's.
-pub(super) fn load(path: &Path, size: Option<[u32; 2]>) -> Result<Scene> {
+pub(super) fn load(path: &Path, size: Option<[u32; 2]>) -> Result<Animation> {
     let text = read(path)?;
     let document = Document { path, text: &text };
     let table = DeTable::parse(&text).map_err(|error| unparsed(&document, &error))?;
     let keys = Keys::top(document, &table);
-    keys.expect_only(&["size", "background", "camera", "mesh", "volume"])?;
+    keys.expect_only(&["size", "background", "camera", "path", "mesh", "volume"])?;
     let of_file = keys.integers("size", &(1..=65535))?;
     let of_file = of_file.map(|size| size.map(|pixels| pixels as u32));
     let size = size.or(of_file).unwrap_or(Scene::DEFAULT_SIZE);
     let background = keys.vector32("background", &FRACTION)?.unwrap_or_default();
     let camera = camera::Wish::read(&keys)?;
+    let of_volumes = volume::load_all(&keys)?;
+    let mut of_meshes = mesh::load_all(&keys, &of_volumes.volumes)?;
+    of_meshes.notices.extend(of_volumes.notices);
+    let volumes = shown(of_volumes.volumes, &mut of_meshes.sources);
     let Loaded {
         meshes,
-        mut notices,
-    } = mesh::load_all(&keys)?;
-    let of_volumes = volume::load_all(&keys)?;
-    notices.extend(of_volumes.notices);
-    let volumes = of_volumes.volumes;
-    Ok(Scene {
+        notices,
+        sources,
+    } = of_meshes;
+    let wished = path::read(&keys, &sources)?;
+    let scene = Scene {
         name: stem(path),
         size,
         background,
@@ -86,7 +112,29 @@ pub(super) fn load(path: &Path, size: Option<[u32; 2]>) -> Result<Scene> {
         meshes,
         volumes,
         notices,
+    };
+    Ok(Animation {
+        scene,
+        has_path: wished.path.is_some(),
+        path: wished.path.unwrap_or_default(),
+        wish: camera.partial(),
+        shows: wished.shows,
     })
+}
+
+/// The volumes that are not hidden; each entry of the file becomes a source.
+fn shown(all: Vec<NamedVolume>, sources: &mut Vec<Source>) -> Vec<Volume> {
+    let mut volumes = Vec::new();
+    for entry in all {
+        let first = volumes.len();
+        volumes.extend((!entry.hidden).then_some(entry.volume));
+        sources.push(Source {
+            name: entry.given,
+            meshes: 0..0,
+            volumes: first..volumes.len(),
+        });
+    }
+    volumes
 }
 
 fn read(path: &Path) -> Result<String> {

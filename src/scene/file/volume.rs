@@ -11,12 +11,28 @@ use crate::scene::volume::{self, Transfer, TransferPoint, Volume};
 /// All volumes of a file, in its order.
 #[derive(Default)]
 pub(super) struct Loaded {
-    pub(super) volumes: Vec<Volume>,
+    pub(super) volumes: Vec<NamedVolume>,
     pub(super) notices: Vec<String>,
 }
 
+/// A volume and what the file says of its part in the scene.
+pub(super) struct NamedVolume {
+    pub(super) volume: Volume,
+    /// What the file calls it.
+    pub(super) given: Option<String>,
+    /// It is there for its isosurfaces only.
+    pub(super) hidden: bool,
+}
+
+impl NamedVolume {
+    /// What the file calls it.
+    pub(super) fn name(&self) -> Option<&str> {
+        self.given.as_deref()
+    }
+}
+
 /// The keys of every volume, wherever it comes from.
-const COMMON: [&str; 3] = ["step", "transfer", "transform"];
+const COMMON: [&str; 5] = ["name", "hidden", "step", "transfer", "transform"];
 /// The most samples that one scene file generates: 2 GiB of them.
 const MOST_GENERATED: u64 = volume::MAX_SAMPLES;
 
@@ -52,7 +68,11 @@ pub(super) fn load_all(top: &Keys) -> Result<Loaded> {
                 Look::read(&keys)?.give(&keys, volume)?
             }
         };
-        loaded.volumes.push(volume);
+        loaded.volumes.push(NamedVolume {
+            volume,
+            given: keys.text("name")?.map(str::to_owned),
+            hidden: keys.flag("hidden")?.unwrap_or(false),
+        });
     }
     Ok(loaded)
 }
@@ -80,7 +100,11 @@ impl Look {
     fn read(keys: &Keys) -> Result<Self> {
         Ok(Self {
             step: keys.number("step", &STEP)?.unwrap_or(Volume::DEFAULT_STEP),
-            transfer: transfer(keys)?,
+            transfer: if keys.flag("hidden")? == Some(true) && !keys.is_list("transfer") {
+                Transfer::default()
+            } else {
+                transfer(keys)?
+            },
         })
     }
 

@@ -14,27 +14,36 @@
 //! In a scene file the parameters are keys of the same names, next to `generate = "quads"`. Meshes are unlit, and white
 //! and opaque where the generator has no colours of its own; [`Mesh::painted`] changes that.
 
+mod arrows;
 mod cone;
+mod flow;
 mod grid;
+mod isosurface;
 mod limits;
 mod order;
 mod plane;
 mod quads;
 mod slices;
 mod soup;
+mod streamlines;
 mod teapot;
 // A table, with one row of control points to a line.
 #[rustfmt::skip]
 mod teapot_patches;
 mod torus_knot;
+mod tube;
 mod volumes;
 
+pub use arrows::{Arrows, arrows};
 pub use cone::{Cone, cone};
+pub use flow::{Flow, Seeds, runge_kutta};
+pub use isosurface::{Isosurface, isosurface};
 pub use order::Order;
 pub use plane::{Plane, plane};
 pub use quads::{Quads, quads};
 pub use slices::{Slices, slices};
 pub use soup::{Soup, soup};
+pub use streamlines::{Streamlines, streamlines};
 pub use teapot::{Teapot, teapot};
 pub use torus_knot::{TorusKnot, torus_knot};
 pub use volumes::{

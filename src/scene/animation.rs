@@ -1,0 +1,134 @@
+//! A scene in time: a camera path, and what is shown when.
+
+use std::ops::Range;
+use std::path::Path;
+
+use bytemuck::cast_slice;
+use flate2::Crc;
+
+use super::fit::PartialCamera;
+use super::path::CameraPath;
+use super::{Scene, file, joined};
+use crate::error::{Error, Result};
+
+/// A scene and its camera path. Every frame is a function of its number.
+#[derive(Clone, Debug)]
+pub struct Animation {
+    /// Everything that is shown at any time, seen as in frame 0.
+    pub scene: Scene,
+    /// Where the camera goes.
+    pub path: CameraPath,
+    /// Whether the scene file has a path; if not, `path` is the default.
+    pub has_path: bool,
+    pub(super) wish: PartialCamera,
+    /// From which frame on what is shown, in the order of the frames. Before the first one everything is.
+    pub(super) shows: Vec<Show>,
+}
+
+/// From this frame on these are shown, and nothing else.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Show {
+    pub(super) from: u32,
+    pub(super) meshes: Vec<Range<usize>>,
+    pub(super) volumes: Vec<Range<usize>>,
+}
+
+impl Animation {
+    /// Reads a scene file with its `[path]`. A scene file or a model without one turns once in [`CameraPath::default`].
+    ///
+    /// # Errors
+    /// As [`Scene::load`].
+    pub fn load(path: impl AsRef<Path>) -> Result<Self> {
+        Self::load_at(path, None)
+    }
+
+    /// Reads the same, for images of another size than the file asks for.
+    ///
+    /// # Errors
+    /// As [`Scene::load`].
+    pub fn load_at(path: impl AsRef<Path>, size: Option<[u32; 2]>) -> Result<Self> {
+        let path = path.as_ref();
+        if path
+            .extension()
+            .is_some_and(|ending| ending.eq_ignore_ascii_case("toml"))
+        {
+            return file::load(path, size);
+        }
+        Ok(Self {
+            scene: Scene::load_at(path, size)?,
+            path: CameraPath::default(),
+            has_path: false,
+            wish: PartialCamera::default(),
+            shows: Vec::new(),
+        })
+    }
+
+    /// The scene of one frame.
+    ///
+    /// # Errors
+    /// There is no such frame.
+    pub fn frame(&self, frame: u32) -> Result<Scene> {
+        if frame >= self.path.frames {
+            return Err(Error::usage(
+                format!("there is no frame {frame}: there are {}", self.path.frames),
+                "Frames count from 0.",
+            ));
+        }
+        let mut scene = self.scene.clone();
+        if let Some(show) = self.shows.iter().rev().find(|show| show.from <= frame) {
+            scene.meshes = pick(&scene.meshes, &show.meshes);
+            scene.volumes = pick(&scene.volumes, &show.volumes);
+        }
+        let first = self.scene.camera;
+        // Clip planes that the file leaves open follow the eye.
+        let moved = PartialCamera {
+            eye: Some(self.path.eye(&first, frame)),
+            target: Some(first.target),
+            up: Some(first.up),
+            fov: Some(first.fov),
+            ..self.wish
+        };
+        let all = joined(&self.scene.meshes, &self.scene.volumes);
+        scene.camera = moved.fit(all, scene.size);
+        scene.camera.check()?;
+        Ok(scene)
+    }
+
+    /// A checksum of everything that the frames depend on, but for how they are rendered.
+    pub fn fingerprint(&self) -> u32 {
+        let scene = &self.scene;
+        let mut crc = Crc::new();
+        let (size, background) = (scene.size, scene.background);
+        let what = (
+            size,
+            background,
+            scene.camera,
+            self.wish,
+            &self.path,
+            &self.shows,
+        );
+        crc.update(format!("{what:?}").as_bytes());
+        for mesh in &scene.meshes {
+            let look = (mesh.shading, mesh.inside, mesh.opaque, mesh.sorted);
+            crc.update(format!("{look:?}").as_bytes());
+            crc.update(cast_slice(&mesh.vertices));
+            crc.update(cast_slice(&mesh.triangles));
+        }
+        for volume in &scene.volumes {
+            let look = (
+                volume.dims(),
+                volume.index_to_world(),
+                volume.step,
+                &volume.transfer,
+            );
+            crc.update(format!("{look:?}").as_bytes());
+            crc.update(cast_slice(volume.samples()));
+        }
+        crc.sum()
+    }
+}
+
+fn pick<T: Clone>(all: &[T], ranges: &[Range<usize>]) -> Vec<T> {
+    let picked = ranges.iter().flat_map(|range| &all[range.clone()]);
+    picked.cloned().collect()
+}

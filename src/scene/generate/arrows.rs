@@ -1,0 +1,88 @@
+//! Arrows along a flow: a sparse glyph representation, as in figure 10 of Lindholm et al. 2015.
+
+use super::flow::{Flow, Seeds};
+use super::limits::{LENGTH, count_within, few_enough, within};
+use super::tube::{self, Ring};
+use super::{Generator, Refusal, WHITE, checked, named};
+use crate::error::Result;
+use crate::scene::mesh::Mesh;
+
+/// Arrows, as closed surfaces, each starting at its seed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Arrows {
+    /// What they show.
+    pub flow: Flow,
+    /// Where they start.
+    pub seeds: Seeds,
+    /// How long an arrow is where the flow has speed 1, 1e-6 to 1e6; elsewhere in proportion.
+    pub length: f32,
+    /// Sides of shaft and head, 3 to 1,000.
+    pub sides: u32,
+}
+
+impl Default for Arrows {
+    /// A hundred arrows in the default swirl.
+    fn default() -> Self {
+        Self {
+            flow: Flow::default(),
+            seeds: Seeds {
+                count: 100,
+                centre: [0.0; 3],
+                extent: [1.6, 1.6, 1.6],
+                seed: 0,
+            },
+            length: 0.4,
+            sides: 12,
+        }
+    }
+}
+
+/// The radii of shaft and head and the start of the head, as parts of an arrow's length.
+const SHAFT: f64 = 0.04;
+const HEAD: f64 = 0.12;
+const NECK: f64 = 0.65;
+/// An arrow shorter than this part of `length` is left out: there is no flow to speak of.
+const SHORTEST: f64 = 1e-3;
+
+/// Arrows along a flow. Where it stands still there is none.
+///
+/// # Errors
+/// A parameter is out of its range.
+pub fn arrows(parameters: &Arrows) -> Result<Mesh> {
+    checked(parameters)
+}
+
+impl Generator for Arrows {
+    fn check(&self) -> Result<(), Refusal> {
+        self.flow.check()?;
+        self.seeds.check()?;
+        within("length", self.length, LENGTH)?;
+        count_within("sides", self.sides, [3, 1000])?;
+        few_enough("count", self.triangle_count())
+    }
+
+    /// At most: there may be fewer arrows than seeds.
+    fn triangle_count(&self) -> u64 {
+        u64::from(self.seeds.count) * tube::triangles_of(3, u64::from(self.sides))
+    }
+
+    fn build(&self) -> Mesh {
+        let mut mesh = named("arrows");
+        for start in self.seeds.points() {
+            let velocity = self.flow.velocity(start);
+            let speed = velocity.length();
+            if speed < SHORTEST {
+                continue;
+            }
+            let arrow = velocity * f64::from(self.length);
+            let scale = arrow.length();
+            let ring = |part: f64, radius: f64| Ring {
+                centre: start + arrow * part,
+                radius: radius * scale,
+            };
+            let rings = [ring(0.0, SHAFT), ring(NECK, SHAFT), ring(NECK, HEAD)];
+            tube::add(&mut mesh, &rings, [start, start + arrow], self.sides);
+        }
+        mesh.painted(WHITE)
+    }
+}

@@ -1,0 +1,111 @@
+//! Flows, and the lines along them.
+
+use std::f64::consts::TAU;
+
+use glam::DVec3;
+
+use super::Refusal;
+use super::limits::{COORDINATE, LENGTH, all_within, count_within, within};
+use super::volumes::{Field, Swirl};
+use crate::scene::chance::Chance;
+
+/// A steady flow.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Flow {
+    /// A vortex with a jet; its lattice gives the size only.
+    Swirl(Swirl),
+    /// A rigid rotation about the z axis, once in 2 pi.
+    Rotation,
+}
+
+impl Default for Flow {
+    fn default() -> Self {
+        Self::Swirl(Swirl::default())
+    }
+}
+
+impl Flow {
+    /// The flow at a point of the world.
+    pub fn velocity(&self, point: DVec3) -> DVec3 {
+        match self {
+            Self::Swirl(swirl) => swirl.velocity(point),
+            Self::Rotation => DVec3::Z.cross(point),
+        }
+    }
+
+    pub(super) fn check(&self) -> Result<(), Refusal> {
+        match self {
+            Self::Swirl(swirl) => {
+                within("size", swirl.lattice.size, LENGTH)?;
+                swirl.check()
+            }
+            Self::Rotation => Ok(()),
+        }
+    }
+}
+
+/// Where a flow is shown: points drawn evenly from a box.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Seeds {
+    /// How many, 1 to 1,000,000.
+    pub count: u32,
+    /// The box's centre, coordinates -1e6 to 1e6.
+    pub centre: [f32; 3],
+    /// The box's edges, 0 to 1e6.
+    pub extent: [f32; 3],
+    /// The same seed draws the same points.
+    pub seed: u64,
+}
+
+impl Seeds {
+    pub(super) fn check(&self) -> Result<(), Refusal> {
+        count_within("count", self.count, [1, 1_000_000])?;
+        all_within("centre", &self.centre, COORDINATE)?;
+        all_within("extent", &self.extent, [0.0, COORDINATE[1]])
+    }
+
+    pub(super) fn points(&self) -> impl Iterator<Item = DVec3> {
+        let mut chance = Chance::new(self.seed);
+        let centre = DVec3::from_array(self.centre.map(f64::from));
+        let extent = DVec3::from_array(self.extent.map(f64::from));
+        (0..self.count).map(move |_| {
+            let [x, y, z] = std::array::from_fn(|_| f64::from(chance.between(-0.5, 0.5)));
+            centre + extent * DVec3::new(x, y, z)
+        })
+    }
+}
+
+/// One step of the classical fourth-order Runge-Kutta method.
+pub fn runge_kutta(velocity: impl Fn(DVec3) -> DVec3, point: DVec3, step: f64) -> DVec3 {
+    let first = velocity(point);
+    let second = velocity(point + first * (step / 2.0));
+    let third = velocity(point + second * (step / 2.0));
+    let fourth = velocity(point + third * step);
+    point + (first + 2.0 * (second + third) + fourth) * (step / 6.0)
+}
+
+/// The streamline through a point, half of its length upstream and half downstream, in steps of equal length. It has fewer
+/// points where the flow stands still.
+pub(super) fn streamline(flow: &Flow, seed: DVec3, length: f64, steps: u32) -> Vec<DVec3> {
+    let direction = |point| flow.velocity(point).normalize_or_zero();
+    let step = length / f64::from(steps);
+    let walk = |from: DVec3, step: f64, count: u32| -> Vec<DVec3> {
+        let next = |point: &DVec3| {
+            let moved = runge_kutta(direction, *point, step);
+            // Half a step at the least: around a standstill the directions cancel.
+            (moved.distance(*point) > step.abs() / 2.0).then_some(moved)
+        };
+        let points = std::iter::successors(Some(from), next);
+        points.take(count as usize + 1).collect()
+    };
+    let mut points = walk(seed, -step, steps / 2);
+    points.reverse();
+    points.extend(walk(seed, step, steps - steps / 2).into_iter().skip(1));
+    points
+}
+
+/// A point of a circle of radius 1 across a direction's frame.
+pub(super) fn around([right, up]: [DVec3; 2], part: f64) -> DVec3 {
+    let (sin, cos) = (TAU * part).sin_cos();
+    right * cos + up * sin
+}

@@ -1,0 +1,197 @@
+//! Isosurfaces: where a volume has a value.
+//!
+//! By marching tetrahedra: every cell of the lattice is cut into the six tetrahedra around its diagonal from (0, 0, 0) to
+//! (1, 1, 1), and every tetrahedron with samples on both sides of the value gives one triangle or two. Neighbouring cells
+//! cut their common face alike and a tetrahedron has no ambiguous case, so there are no cracks: the surface is closed but
+//! for where it leaves the proxy box.
+
+use std::collections::HashMap;
+
+use glam::DVec3;
+
+use super::limits::{few_enough, refusal};
+use super::{Generator, Refusal, WHITE, checked, named};
+use crate::error::Result;
+use crate::scene::mesh::{Mesh, Vertex};
+use crate::scene::volume::Volume;
+
+/// The surface where a volume has a value.
+#[derive(Clone, Copy, Debug)]
+pub struct Isosurface<'v> {
+    /// What it is taken from.
+    pub volume: &'v Volume,
+    /// The value, above the volume's lowest and up to its highest.
+    pub value: f32,
+}
+
+/// An isosurface. Its outside is where the values are lower; normals are the gradient's.
+///
+/// # Errors
+/// No sample is lower than the value or none reaches it, or the surface has too many triangles.
+pub fn isosurface(parameters: &Isosurface) -> Result<Mesh> {
+    checked(parameters)
+}
+
+/// A cell's six tetrahedra, each a way from corner 0 to corner 7 along one axis after the other (bit 0 of a corner's
+/// number is x), and whether it is right-handed.
+const TETRAHEDRA: [([usize; 4], bool); 6] = [
+    ([0, 1, 3, 7], true),
+    ([0, 2, 6, 7], true),
+    ([0, 4, 5, 7], true),
+    ([0, 2, 3, 7], false),
+    ([0, 4, 6, 7], false),
+    ([0, 1, 5, 7], false),
+];
+
+/// The corners of a tetrahedron as an even permutation, by the bits of those inside: first the one that is alone inside or
+/// outside, or the two that are inside.
+const EVEN: [[usize; 4]; 16] = [
+    [0, 1, 2, 3],
+    [0, 1, 2, 3],
+    [1, 0, 3, 2],
+    [0, 1, 2, 3],
+    [2, 3, 0, 1],
+    [0, 2, 3, 1],
+    [1, 2, 0, 3],
+    [3, 2, 1, 0],
+    [3, 2, 1, 0],
+    [0, 3, 1, 2],
+    [1, 3, 2, 0],
+    [2, 3, 0, 1],
+    [2, 3, 0, 1],
+    [1, 0, 3, 2],
+    [0, 1, 2, 3],
+    [0, 1, 2, 3],
+];
+
+/// An edge of a tetrahedron, by its ends' corners of the cell.
+type Edge = [usize; 2];
+
+impl Generator for Isosurface<'_> {
+    fn check(&self) -> Result<(), Refusal> {
+        let samples = self.volume.samples();
+        let low = samples.iter().copied().fold(f32::INFINITY, f32::min);
+        let high = samples.iter().copied().fold(f32::NEG_INFINITY, f32::max);
+        if !(self.value > low && self.value <= high) {
+            let what = format!(
+                "'{}' has no surface at {}: its values go from {low} to {high}",
+                self.volume.name, self.value
+            );
+            return Err(refusal("value", what, "Give a value between them."));
+        }
+        few_enough("value", self.triangle_count())
+    }
+
+    fn triangle_count(&self) -> u64 {
+        let mut triangles = 0;
+        self.for_each_triangle(|_, _| triangles += 1);
+        triangles
+    }
+
+    fn build(&self) -> Mesh {
+        let mut mesh = named("isosurface");
+        let mut known: HashMap<(usize, usize), u32> = HashMap::new();
+        let mirrored = self.volume.index_to_world().matrix3.determinant() < 0.0;
+        self.for_each_triangle(|cell, edges| {
+            let mut triangle = edges.map(|[from, to]| {
+                // All edges of all cells go along 1 to 7 from their lower end.
+                let first = self.offset(cell) + self.offset(corner([0; 3], from));
+                *known.entry((first, from ^ to)).or_insert_with(|| {
+                    mesh.vertices.push(self.vertex(cell, [from, to]));
+                    (mesh.vertices.len() - 1) as u32
+                })
+            });
+            if mirrored {
+                triangle.swap(1, 2);
+            }
+            mesh.triangles.push(triangle);
+        });
+        mesh.painted(WHITE)
+    }
+}
+
+impl Isosurface<'_> {
+    /// Every triangle, by its cell and the edges that its corners lie on; counter-clockwise seen from outside.
+    fn for_each_triangle(&self, mut take: impl FnMut([usize; 3], [Edge; 3])) {
+        let samples = self.volume.samples();
+        let offsets: [usize; 8] = std::array::from_fn(|n| self.offset(corner([0; 3], n)));
+        let [nx, ny, nz] = self.volume.dims();
+        for z in 0..nz - 1 {
+            for y in 0..ny - 1 {
+                for x in 0..nx - 1 {
+                    let first = self.offset([x, y, z]);
+                    let inside = offsets.map(|offset| samples[first + offset] >= self.value);
+                    if inside.iter().all(|&it| it == inside[0]) {
+                        continue;
+                    }
+                    for (corners, right_handed) in TETRAHEDRA {
+                        cut(corners, right_handed, &inside, |edges| {
+                            take([x, y, z], edges);
+                        });
+                    }
+                }
+            }
+        }
+    }
+
+    fn offset(&self, [x, y, z]: [usize; 3]) -> usize {
+        let [nx, ny, _] = self.volume.dims();
+        x + nx * (y + ny * z)
+    }
+
+    fn vertex(&self, cell: [usize; 3], ends: Edge) -> Vertex {
+        let places = ends.map(|end| corner(cell, end));
+        let [from, to] = places.map(|place| f64::from(self.volume.samples()[self.offset(place)]));
+        let [start, end] = places.map(|place| DVec3::from_array(place.map(|i| i as f64)));
+        let index = start.lerp(end, (f64::from(self.value) - from) / (to - from));
+        let to_world = self.volume.index_to_world();
+        let uphill = self.volume.world_to_index().matrix3.transpose() * self.gradient(index);
+        Vertex {
+            position: to_world.transform_point3(index).as_vec3(),
+            normal: (-uphill).normalize_or(DVec3::Z).as_vec3(),
+            ..Vertex::default()
+        }
+    }
+
+    /// By central differences over two samples.
+    fn gradient(&self, index: DVec3) -> DVec3 {
+        let along =
+            |axis: DVec3| self.volume.at_index(index + axis) - self.volume.at_index(index - axis);
+        DVec3::new(along(DVec3::X), along(DVec3::Y), along(DVec3::Z))
+    }
+}
+
+fn corner([x, y, z]: [usize; 3], number: usize) -> [usize; 3] {
+    [x + (number & 1), y + (number >> 1 & 1), z + (number >> 2)]
+}
+
+/// The triangles of one tetrahedron.
+fn cut(
+    corners: [usize; 4],
+    right_handed: bool,
+    inside: &[bool; 8],
+    mut take: impl FnMut([Edge; 3]),
+) {
+    let bits = (0..4).fold(0, |bits, n| bits | usize::from(inside[corners[n]]) << n);
+    let [a, b, c, d] = EVEN[bits].map(|n| corners[n]);
+    // The lower end first, which is the one with fewer bits: all of them lie on one way from 0 to 7.
+    let edge = |i: usize, j: usize| [i.min(j), i.max(j)];
+    let mut turned = |[p, q, r]: [Edge; 3], seen_from_outside: bool| {
+        take(if seen_from_outside == right_handed {
+            [p, q, r]
+        } else {
+            [p, r, q]
+        });
+    };
+    match bits.count_ones() {
+        1 => turned([edge(a, b), edge(a, c), edge(a, d)], true),
+        2 => {
+            let [ac, ad, bd, bc] = [edge(a, c), edge(a, d), edge(b, d), edge(b, c)];
+            turned([ac, ad, bd], true);
+            turned([ac, bd, bc], true);
+        }
+        // The odd one out is the first of the permutation here, too.
+        3 => turned([edge(a, b), edge(a, c), edge(a, d)], false),
+        _ => {}
+    }
+}
