@@ -11,11 +11,12 @@ mod golden;
 use cli_kit::{Answer, Desk};
 use golden::assert_golden;
 
-const SUBCOMMANDS: [&str; 7] = [
+const SUBCOMMANDS: [&str; 8] = [
     "render",
     "compare",
     "check",
     "complexity",
+    "animate",
     "listing",
     "methods",
     "doctor",

@@ -1,10 +1,13 @@
 //! One file a subcommand; here is what they share.
 
 mod a_buffer_options;
+mod animate;
 mod check;
 mod compare;
 mod complexity;
 mod doctor;
+mod frame_folder;
+mod frame_row;
 mod listing;
 mod method_options;
 mod methods;
@@ -36,6 +39,7 @@ Examples:
   onionskin compare examples/scenes/teapot.toml        which method is how wrong, and how slow
   onionskin check examples/scenes/teapot.toml my.png   is my renderer's image right?
   onionskin complexity examples/scenes/teapot.toml     how many layers each pixel has
+  onionskin animate scene.toml -o frames               a camera path as pictures and a table
   onionskin listing everitt/listing-1                  what depth peeling does, as the paper has it
 
 `onionskin COMMAND --help` explains the arguments, `onionskin render --help` also scene files.
@@ -48,6 +52,7 @@ enum Command {
     Compare(compare::Compare),
     Check(check::Check),
     Complexity(complexity::Complexities),
+    Animate(animate::Animate),
     Listing(listing::Listing),
     Methods(methods::Methods),
     Doctor(doctor::Doctor),
@@ -61,6 +66,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Compare(compare) => compare.run(),
         Command::Check(check) => check.run(),
         Command::Complexity(complexity) => complexity.run(),
+        Command::Animate(animate) => animate.run(),
         Command::Listing(listing) => listing.run(),
         Command::Methods(methods) => methods.run(),
         Command::Doctor(doctor) => doctor.run(),

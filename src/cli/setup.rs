@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 use onionskin::gl::{Backend, ContextOptions, Format};
+use onionskin::scene::Animation;
 use onionskin::{Context, Error, Renderer, Result, Scene};
 
 use super::progress::Progress;
@@ -33,7 +34,24 @@ pub(super) const SCENE_FILES: &str = r#"Scene files:
   transfer = [                    # linear between values; density is extinction per unit of length
     { value = 0.0, color = [1.0, 1.0, 1.0], density = 0.0 },
     { value = 5.0, color = [0.1, 0.2, 0.9], density = 0.4 },
-  ]"#;
+  ]
+  name = "fog"                    # for isosurfaces and [[path.show]]; a mesh may have one, too
+  hidden = false                  # true: there for its isosurfaces only
+
+  [[mesh]]
+  generate = "isosurface"         # where a volume has a value
+  volume = "fog"
+  value = 2.5
+
+  [path]                          # for `onionskin animate`
+  frames = 400
+  rotate = 360.0                  # degrees about the target, over all frames
+  dolly = 0.4                     # in to this part of the distance, and back ...
+  dolly_frames = 200              # ... in so many frames
+
+  [[path.show]]
+  from = 100                      # from this frame on ...
+  sources = ["fog"]               # ... only what has one of these names"#;
 
 #[derive(Args)]
 pub(super) struct Setup {
@@ -60,7 +78,7 @@ pub(super) struct Gl {
     backend: Option<String>,
 }
 
-#[derive(Clone, Copy, ValueEnum)]
+#[derive(Clone, Copy, Debug, ValueEnum)]
 enum Color {
     /// 8 bits, rounded after every layer
     Rgba8,
@@ -70,7 +88,7 @@ enum Color {
     Rgba32f,
 }
 
-#[derive(Clone, Copy, ValueEnum)]
+#[derive(Clone, Copy, Debug, ValueEnum)]
 enum Depth {
     /// 24 bits; shows what goes wrong when they are sampled
     D24,
@@ -96,15 +114,25 @@ impl Gl {
 impl Setup {
     /// Loads the scene. What was repaired on the way goes to standard error.
     pub(super) fn scene(&self) -> Result<Scene> {
+        Ok(self.animation()?.scene)
+    }
+
+    /// Loads the scene with its camera path. What was repaired on the way goes to standard error.
+    pub(super) fn animation(&self) -> Result<Animation> {
         // Known to be wrong before anything long begins.
         self.gl.backend()?;
         let progress = Progress::new(1, &format!("loading {}", self.scene.display()));
-        let scene = Scene::load_at(&self.scene, self.size)?;
+        let animation = Animation::load_at(&self.scene, self.size)?;
         drop(progress);
-        for notice in &scene.notices {
+        for notice in &animation.scene.notices {
             eprintln!("note: {notice}");
         }
-        Ok(scene)
+        Ok(animation)
+    }
+
+    /// How colours and depths are stored, in words.
+    pub(super) fn formats(&self) -> String {
+        format!("{:?} {:?}", self.color, self.depth)
     }
 
     /// A renderer for the scene's size.

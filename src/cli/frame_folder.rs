@@ -1,0 +1,129 @@
+//! The folder that `animate` fills, safe for several commands at a time: every file belongs to one frame and appears
+//! whole, and the two that belong to all have the same content whoever writes them last.
+
+use std::fs;
+use std::io::{ErrorKind, Write};
+use std::path::{Path, PathBuf};
+
+use onionskin::image::{Encoding, Image};
+use onionskin::report::save_text;
+use onionskin::{Error, Result};
+
+/// What the frames are of.
+const IDENTITY: &str = "animation.txt";
+/// All frames' rows.
+const TABLE: &str = "frames.csv";
+
+/// A folder of frames that belong together.
+pub(super) struct FrameFolder(PathBuf);
+
+impl FrameFolder {
+    /// Makes the folder, or takes the one that is there if its frames are of the same scene, method and size.
+    ///
+    /// # Errors
+    /// It cannot be written, or its frames are of something else.
+    pub(super) fn open(path: &Path, identity: &[(&'static str, String)]) -> Result<Self> {
+        match fs::create_dir(path) {
+            Err(error) if error.kind() != ErrorKind::AlreadyExists || !path.is_dir() => {
+                return Err(unwritable(path, &error));
+            }
+            _ => {}
+        }
+        let folder = Self(path.to_owned());
+        let text: String = identity
+            .iter()
+            .map(|(k, v)| format!("{k} = {v}\n"))
+            .collect();
+        let kept = path.join(IDENTITY);
+        // Written whole or not at all, and never over another command's.
+        let write = || -> std::io::Result<()> {
+            let mut file = tempfile::Builder::new()
+                .prefix(".onionskin-")
+                .tempfile_in(path)?;
+            file.write_all(text.as_bytes())?;
+            file.persist_noclobber(&kept)?;
+            Ok(())
+        };
+        match write() {
+            Ok(()) => Ok(folder),
+            Err(error) if error.kind() == ErrorKind::AlreadyExists => {
+                folder.expect(&kept, identity)?;
+                Ok(folder)
+            }
+            Err(error) => Err(unwritable(path, &error)),
+        }
+    }
+
+    fn expect(&self, kept: &Path, identity: &[(&'static str, String)]) -> Result<()> {
+        let there = fs::read_to_string(kept).map_err(|error| unwritable(kept, &error))?;
+        let lines: Vec<&str> = there.lines().collect();
+        for (key, value) in identity {
+            let wanted = format!("{key} = {value}");
+            if !lines.contains(&wanted.as_str()) {
+                let found = lines
+                    .iter()
+                    .find(|line| line.starts_with(&format!("{key} = ")));
+                let found = found.copied().unwrap_or("nothing of it");
+                return Err(Error::usage(
+                    format!(
+                        "{} has frames of another {key}: {found}, not {value}",
+                        self.0.display()
+                    ),
+                    "Give another folder, or empty this one.",
+                ));
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether a frame is there. Its row is written last.
+    pub(super) fn has(&self, number: u32) -> bool {
+        self.picture(number).is_file() && self.row(number).is_file()
+    }
+
+    /// Writes a frame.
+    pub(super) fn add(
+        &self,
+        number: u32,
+        image: &Image,
+        encoding: Encoding,
+        row: &str,
+    ) -> Result<()> {
+        image.save_as(self.picture(number), encoding)?;
+        save_text(&self.row(number), row)
+    }
+
+    /// Joins the rows that are there, and answers where and how many. Whoever ends last has them all.
+    pub(super) fn join(&self, frames: u32) -> Result<(PathBuf, u32)> {
+        let (mut table, mut rows) = (String::new(), 0);
+        for number in (0..frames).filter(|&number| self.has(number)) {
+            let path = self.row(number);
+            let row = fs::read_to_string(&path).map_err(|error| unwritable(&path, &error))?;
+            let skipped = usize::from(!table.is_empty());
+            for line in row.lines().skip(skipped) {
+                table += line;
+                table.push('\n');
+            }
+            rows += 1;
+        }
+        let path = self.0.join(TABLE);
+        save_text(&path, &table)?;
+        Ok((path, rows))
+    }
+
+    fn picture(&self, number: u32) -> PathBuf {
+        self.0.join(format!("frame-{number:05}.png"))
+    }
+
+    fn row(&self, number: u32) -> PathBuf {
+        self.0.join(format!("frame-{number:05}.csv"))
+    }
+}
+
+fn unwritable(path: &Path, error: &std::io::Error) -> Error {
+    Error::Output {
+        path: path.to_owned(),
+        what: error.to_string(),
+        remedy: "Name a folder that can be written to, in one that is there.".into(),
+    }
+}
