@@ -51,7 +51,7 @@ pub enum Plot {
 
 const SIZE: (u32, u32) = (900, 560);
 const BAR: RGBColor = RGBColor(0x2B, 0x5C, 0x8A);
-const FAMILY: &str = "sans-serif";
+pub(super) const FAMILY: &str = "sans-serif";
 
 /// Plots the histogram with bins of `bin` complexities. Pixels without a fragment are left out; the caption says how many
 /// there are.
@@ -59,15 +59,7 @@ const FAMILY: &str = "sans-serif";
 /// # Errors
 /// What the plotting library cannot do.
 pub fn plot(name: &str, complexity: &Complexity, bin: u32, kind: PlotKind) -> Result<Plot> {
-    static FONT: Once = Once::new();
-    FONT.call_once(|| {
-        // Bundled, so that a plot is the same on every machine; it is a font that can be read, so the answer is Ok.
-        let _ = register_font(
-            FAMILY,
-            FontStyle::Normal,
-            epaint_default_fonts::UBUNTU_LIGHT,
-        );
-    });
+    register_the_font();
     let caption = format!(
         "{name}: {} of {} pixels covered, at most {} layers",
         complexity.covered(),
@@ -102,6 +94,19 @@ pub fn plot(name: &str, complexity: &Complexity, bin: u32, kind: PlotKind) -> Re
             }))
         }
     }
+}
+
+/// Makes [`FAMILY`] known to the plotting library.
+pub(super) fn register_the_font() {
+    static FONT: Once = Once::new();
+    FONT.call_once(|| {
+        // Bundled, so that a plot is the same on every machine; it is a font that can be read, so the answer is Ok.
+        let _ = register_font(
+            FAMILY,
+            FontStyle::Normal,
+            epaint_default_fonts::UBUNTU_LIGHT,
+        );
+    });
 }
 
 impl Plot {

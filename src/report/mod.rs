@@ -2,9 +2,11 @@
 
 mod complexity;
 mod histogram;
+mod series;
 
 pub use complexity::{csv, picture};
 pub use histogram::{Plot, PlotKind, plot};
+pub use series::{BINS, Moment, save_series_csv, series, series_csv};
 
 use std::io::Write;
 use std::path::Path;

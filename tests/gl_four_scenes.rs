@@ -1,0 +1,71 @@
+//! The four scenes after those of Lindholm et al. 2015 (figures 1, 8, 9, 10 and table 1): what is in them, and claim L03.
+
+use onionskin::methods::{Complexity, CountBy};
+use onionskin::scene::generate::{Quads, quads};
+use onionskin::{Context, Renderer, Scene};
+
+/// A file, and its volumes and meshes.
+const SCENES: [(&str, usize, usize); 4] = [
+    ("molecule_fused", 2, 5),
+    ("space", 2, 3),
+    ("medical", 2, 2),
+    ("flow", 1, 2),
+];
+
+const SIZE: [u32; 2] = [256, 192];
+
+fn load(name: &str) -> Scene {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/scenes");
+    Scene::load_at(format!("{folder}/{name}.toml"), Some(SIZE)).unwrap()
+}
+
+fn count(scene: &Scene) -> Complexity {
+    let context = Context::headless().unwrap();
+    let mut renderer = Renderer::new(&context, SIZE[0], SIZE[1]).unwrap();
+    renderer.complexity(scene, CountBy::Blending).unwrap()
+}
+
+/// Half of the covered pixels have at most a third of the deepest one's fragments.
+fn falls_steeply(complexity: &Complexity) -> bool {
+    3 * complexity.percentile(0.5) <= complexity.max()
+}
+
+#[test]
+fn the_scenes_have_the_sources_of_table_1() {
+    for (name, volumes, meshes) in SCENES {
+        let scene = load(name);
+        assert_eq!(scene.volumes.len(), volumes, "{name}");
+        assert!(
+            scene.meshes.len() >= meshes,
+            "{name}: {}",
+            scene.meshes.len()
+        );
+        let transparent = scene.meshes.iter().filter(|mesh| !mesh.opaque);
+        assert!(transparent.count() > 0, "{name}");
+    }
+}
+
+#[test]
+fn l03_most_pixels_lie_far_below_the_maximum() {
+    for (name, ..) in SCENES {
+        let complexity = count(&load(name));
+        let (median, max) = (complexity.percentile(0.5), complexity.max());
+        println!("{name}: median {median}, at most {max}");
+        assert!(complexity.covered() > 1000, "{name}");
+        assert!(
+            falls_steeply(&complexity),
+            "{name}: median {median}, at most {max}"
+        );
+    }
+}
+
+#[test]
+fn a_stack_that_is_as_deep_everywhere_does_not_fall() {
+    let stack = quads(&Quads {
+        count: 12,
+        alpha: 0.5,
+        ..Quads::default()
+    })
+    .unwrap();
+    assert!(!falls_steeply(&count(&Scene::of("stack", vec![stack]))));
+}
