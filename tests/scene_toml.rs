@@ -242,7 +242,7 @@ fn an_unknown_key_at_the_top_is_told_from_a_misspelt_one() {
         .suggests("Did you mean 'size'?");
     let error = bad_toml("wibble = 1\n").at(1, "wibble");
     assert!(!error.remedy.contains("Did you mean"), "{error:?}");
-    error.suggests("size, background, camera, mesh");
+    error.suggests("size, background, camera, path, mesh");
 }
 
 #[test]

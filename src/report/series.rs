@@ -219,7 +219,7 @@ mod tests {
         };
         let moment = Moment::new(3, &complexity, vec![2.0]);
         assert_eq!(moment.parts, [0.25, 0.125, 0.125, 0.25, 0.125]);
-        let csv = series_csv(&["time"], &[moment.clone()]);
+        let csv = series_csv(&["time"], std::slice::from_ref(&moment));
         assert!(
             csv.ends_with("\n3,0.250000,0.125000,0.125000,0.250000,0.125000,2.000000\n"),
             "{csv}"
