@@ -156,7 +156,14 @@ fn draw<B: DrawingBackend>(
             .axis_desc_style((FAMILY, 20))
             .label_style((FAMILY, 18))
             .x_label_formatter(&|x| format!("{x:.0}"))
-            .y_label_formatter(&|y| format!("{y:.0}"))
+            // Above 100 there is only the legend.
+            .y_label_formatter(&|&y| {
+                if y > 100.0 {
+                    String::new()
+                } else {
+                    format!("{y:.0}")
+                }
+            })
             .draw()?;
         chart
             .configure_secondary_axes()
