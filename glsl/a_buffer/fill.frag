@@ -1,13 +1,11 @@
 #version 430 core
 // Fill Step with atomics: each fragment counts its pixel's counter up, finds its place and writes its record there.
 
-vec4 surface_color();    // surface/unlit.frag or surface/lit.frag
-
 layout(early_fragment_tests) in;
-uniform uint first_triangle;
 
 #include "a_buffer/pixel.glsl"
 #include "a_buffer/record.glsl"
+#include "a_buffer/source.glsl"
 #if MANAGER == PPLL
 #include "a_buffer/pool.glsl"
 #else
@@ -29,9 +27,8 @@ void main() {
     ivec2 here = ivec2(gl_FragCoord.xy);
     uint at = place(imageAtomicAdd(counter, here, 1u));
     if (at < band.capacity) {
-        vec4 color = surface_color();
-        uint id = SURFACE | (first_triangle + uint(gl_PrimitiveID));
-        records[at * WORDS] = head_of(gl_FragCoord.z, id, color);
+        vec4 color = source_color();
+        records[at * WORDS] = head_of(source_depth(), source_id(), color);
 #if FLOAT_COLOR
         records[at * WORDS + 1u] = floatBitsToUint(color);
 #endif

@@ -3,13 +3,11 @@
 // Fill Step with ordered fragments: the pixel's counter, and with PPLL its anchor, are colours of the framebuffer, which
 // a fragment reads and writes in its turn. No atomics.
 
-vec4 surface_color();    // surface/unlit.frag or surface/lit.frag
-
 layout(early_fragment_tests) in;
-uniform uint first_triangle;
 
 #include "a_buffer/pixel.glsl"
 #include "a_buffer/record.glsl"
+#include "a_buffer/source.glsl"
 #include "a_buffer/place.glsl"
 
 layout(location = 0) inout uint counter;
@@ -27,9 +25,8 @@ void main() {
     uint at = place(counter);
     counter += 1u;
     if (at < band.capacity) {
-        vec4 color = surface_color();
-        uint id = SURFACE | (first_triangle + uint(gl_PrimitiveID));
-        records[at * WORDS] = head_of(gl_FragCoord.z, id, color);
+        vec4 color = source_color();
+        records[at * WORDS] = head_of(source_depth(), source_id(), color);
 #if FLOAT_COLOR
         records[at * WORDS + 1u] = floatBitsToUint(color);
 #endif

@@ -28,6 +28,13 @@ void clear_local_array() {
 // Composites the first `count` elements, front to back, until the ray ends.
 void resolve_local_array(uint count) {
     for (int k = 0; k < int(count) && !ray_ended(); ++k) {
-        composite(list_color(place_of[k], list_head(place_of[k])));
+        uvec4 head = list_head(place_of[k]);
+#if VOLUMES
+        meet(depth_of(key[k]), head.y);
+        if ((head.y & VOLUME) != 0u) {
+            continue;
+        }
+#endif
+        composite(list_color(place_of[k], head));
     }
 }

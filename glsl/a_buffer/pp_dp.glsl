@@ -42,7 +42,8 @@ uint take(uint at, bool there) {
     if (!there) {
         return at;
     }
-    double key_f = key_of(list_head(at));
+    uvec4 head = list_head(at);
+    double key_f = key_of(head);
 #if AS_PRINTED
     bool skip = depth_of(key_f) <= (min_key == 0.0LF ? 0.0 : depth_of(min_key));
 #else
@@ -52,6 +53,11 @@ uint take(uint at, bool there) {
         insert(key_f, at);
         left += 1u;
     }
+#if VOLUMES
+    if (subpasses == 1u) {
+        look_for_beginning(head.y);
+    }
+#endif
     return list_next(at);
 }
 
@@ -69,6 +75,11 @@ void resolve_by_peeling(uint count) {
             at = take(at, f + 2u < count);
             at = take(at, f + 3u < count);
         }
+#if VOLUMES
+        if (subpasses == 1u) {
+            begin_ray();
+        }
+#endif
         resolve_local_array(min(left, uint(N)));
         min_key = key[N - 1];    // store min depth of last buffer element
     } while (left > uint(N) && !ray_ended());

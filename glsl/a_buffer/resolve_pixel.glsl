@@ -6,6 +6,10 @@
 #include "a_buffer/record.glsl"
 #include "a_buffer/list.glsl"
 #include "a_buffer/ray.glsl"
+#if VOLUMES
+#include "a_buffer/volume.glsl"
+#include "a_buffer/volume_ray.glsl"
+#endif
 #include "a_buffer/local_array.glsl"
 #if PEEL_ALWAYS
 #include "a_buffer/pp_dp.glsl"
@@ -28,6 +32,9 @@ void resolve_pixel(uint count) {
     }
 #else
     resolve_statically(fits);
+#endif
+#if VOLUMES
+    cast_ray(1.0);
 #endif
     finish_ray(uint(N), fits);
 }

@@ -37,10 +37,17 @@ void resolve_statically(uint count) {
     records_read += count;
     uint at = list_first();
     for (int k = 0; k < int(count); ++k) {
-        key[k] = key_of(list_head(at));
+        uvec4 head = list_head(at);
+        key[k] = key_of(head);
         place_of[k] = at;
         at = list_next(at);
+#if VOLUMES
+        look_for_beginning(head.y);
+#endif
     }
+#if VOLUMES
+    begin_ray();
+#endif
     sort_local_array(count);
     resolve_local_array(count);
 }

@@ -31,7 +31,7 @@ impl Kind {
             Objects::Transparent => self != Self::Opaque,
             Objects::Sorted => self == Self::Sorted,
             Objects::Unsorted => self == Self::Unsorted,
-            Objects::Screen => false,
+            Objects::Proxies | Objects::Screen => false,
         }
     }
 }

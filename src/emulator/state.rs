@@ -162,6 +162,8 @@ impl State {
             Capability::DepthTest => self.depth_test = on,
             Capability::StencilTest => self.stencil_test = on.then_some(self.stencil_func),
             Capability::Blend => self.blend = on.then_some(self.blend_func),
+            // An emulated pixel's depths are given, 0 to 1.
+            Capability::DepthClamp => {}
         }
     }
 

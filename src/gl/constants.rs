@@ -29,6 +29,7 @@ pub(super) const fn capability(cap: Capability) -> u32 {
         Capability::DepthTest => glow::DEPTH_TEST,
         Capability::StencilTest => glow::STENCIL_TEST,
         Capability::Blend => glow::BLEND,
+        Capability::DepthClamp => glow::DEPTH_CLAMP,
     }
 }
 

@@ -53,9 +53,11 @@ pub const WANTED_EXTENSIONS: [(&str, &str); 4] = [
     ("GL_ARB_fragment_shader_interlock", "the same with images"),
 ];
 
-const LIMITS: [(&str, u32); 9] = [
+const LIMITS: [(&str, u32); 11] = [
     ("GL_MAX_TEXTURE_BUFFER_SIZE", glow::MAX_TEXTURE_BUFFER_SIZE),
     ("GL_MAX_TEXTURE_SIZE", glow::MAX_TEXTURE_SIZE),
+    ("GL_MAX_3D_TEXTURE_SIZE", glow::MAX_3D_TEXTURE_SIZE),
+    ("GL_MAX_TEXTURE_IMAGE_UNITS", glow::MAX_TEXTURE_IMAGE_UNITS),
     ("GL_MAX_RENDERBUFFER_SIZE", glow::MAX_RENDERBUFFER_SIZE),
     (
         "GL_MAX_ARRAY_TEXTURE_LAYERS",

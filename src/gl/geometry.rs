@@ -1,12 +1,13 @@
 //! A scene's meshes in the driver's memory.
 
-use glam::{DMat4, DVec2, Mat4, Vec3};
+use glam::{DMat4, DVec2, DVec3, Mat4, Vec3};
 use glow::HasContext;
 
 use super::context::Context;
 use super::program::Program;
 use crate::error::{Error, Result};
-use crate::scene::{Mesh, Scene, Shading, Vertex};
+use crate::fragment::Rgba;
+use crate::scene::{Mesh, Scene, Shading, Vertex, Volume};
 use crate::steps::Objects;
 
 /// A scene, uploaded. Its buffers live as long as it does.
@@ -66,6 +67,8 @@ struct Uploaded {
     sorted: bool,
     shading: Shading,
     inside: [f32; 3],
+    /// The number of the volume whose box it is.
+    volume: Option<u32>,
 }
 
 impl<'c> Geometry<'c> {
@@ -88,6 +91,18 @@ impl<'c> Geometry<'c> {
                 place,
             });
             place += mesh.triangles.len() as u32;
+        }
+        for (number, volume) in scene.volumes.iter().enumerate() {
+            let proxy = proxy(volume);
+            let mut uploaded = Uploaded::new(context.glow(), &proxy, &proxy.triangles)?;
+            uploaded.volume = Some(number as u32);
+            geometry.meshes.push(uploaded);
+            geometry.draws.push(Run {
+                mesh: geometry.meshes.len() - 1,
+                first: 0,
+                count: proxy.triangles.len() as i32 * 3,
+                place: 0,
+            });
         }
         Ok(geometry)
     }
@@ -189,6 +204,7 @@ impl<'c> Geometry<'c> {
                     i32::from(mesh.shading == Shading::TwoSided),
                 );
                 gl.uniform_3_f32_slice(program.inside.as_ref(), &mesh.inside);
+                gl.uniform_1_u32(program.volume.as_ref(), mesh.volume.unwrap_or(u32::MAX));
                 gl.bind_vertex_array(Some(mesh.array));
                 for piece in run.pieces() {
                     // gl_PrimitiveID starts at 0 in every draw.
@@ -283,23 +299,58 @@ impl Uploaded {
                 sorted: mesh.sorted,
                 shading: mesh.shading,
                 inside: mesh.inside,
+                volume: None,
             })
         }
     }
 
     fn is_among(&self, objects: Objects) -> bool {
+        if self.volume.is_some() {
+            return objects == Objects::Proxies;
+        }
         match objects {
             Objects::Scene => true,
             Objects::Opaque => self.opaque,
             Objects::Transparent => !self.opaque,
             Objects::Sorted => !self.opaque && self.sorted,
             Objects::Unsorted => !self.opaque && !self.sorted,
-            Objects::Screen => false,
+            Objects::Proxies | Objects::Screen => false,
         }
     }
 }
 
-/// A rectangle that holds every transparent vertex, two pixels wider than computed, which is more than f32 can be off.
+/// The box around a volume, its faces turned outwards.
+fn proxy(volume: &Volume) -> Mesh {
+    // Corners by their bits: 1 for the end of x, 2 of y, 4 of z. Counterclockwise, seen from outside.
+    const FACES: [[u32; 4]; 6] = [
+        [0, 4, 6, 2],
+        [1, 3, 7, 5],
+        [0, 1, 5, 4],
+        [2, 6, 7, 3],
+        [0, 2, 3, 1],
+        [4, 5, 7, 6],
+    ];
+    let corner = |position: DVec3| Vertex {
+        position: position.as_vec3(),
+        normal: Vec3::ZERO,
+        color: Rgba::default(),
+    };
+    let mirrored = volume.index_to_world().matrix3.determinant() < 0.0;
+    let triangles = FACES.iter().flat_map(|&[a, b, c, d]| {
+        if mirrored {
+            [[a, c, b], [a, d, c]]
+        } else {
+            [[a, b, c], [a, c, d]]
+        }
+    });
+    Mesh::new(
+        volume.name.clone(),
+        volume.corners().map(corner).to_vec(),
+        triangles.collect(),
+    )
+}
+
+/// A rectangle that holds every transparent vertex and every volume, two pixels wider than computed, which is more than f32 can be off.
 /// The whole image if a vertex lies behind the eye.
 fn window_of_transparent(
     scene: &Scene,
@@ -308,13 +359,12 @@ fn window_of_transparent(
 ) -> [i32; 4] {
     let size = DVec2::new(f64::from(width), f64::from(height));
     let (mut low, mut high) = (size, DVec2::ZERO);
-    for vertex in scene
-        .meshes
-        .iter()
-        .filter(|mesh| !mesh.opaque)
+    let transparent = scene.meshes.iter().filter(|mesh| !mesh.opaque);
+    let vertices = transparent
         .flat_map(|mesh| &mesh.vertices)
-    {
-        let clip = view_projection * vertex.position.as_dvec3().extend(1.0);
+        .map(|vertex| vertex.position.as_dvec3());
+    for position in vertices.chain(scene.volumes.iter().flat_map(Volume::corners)) {
+        let clip = view_projection * position.extend(1.0);
         if clip.w <= 0.0 {
             return [0, 0, width as i32, height as i32];
         }

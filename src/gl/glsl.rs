@@ -10,6 +10,10 @@ use crate::error::{Error, Result};
 const NETWORK: &str = "a_buffer/network";
 /// Likewise: as many elements, one after the other.
 const ELEMENTS: &str = "a_buffer/elements";
+/// Likewise: as many volumes as the constant VOLUMES says.
+const EACH_VOLUME: &str = "a_buffer/each_volume";
+/// Likewise: the jumps of a binary search among POINTS elements.
+const HALVINGS: &str = "a_buffer/halvings";
 /// Larger networks take drivers too long to compile; nothing includes them.
 const LARGEST_NETWORK: u32 = 128;
 
@@ -94,6 +98,18 @@ const FILES: &[(&str, &str)] = &[
     (
         "a_buffer/static.glsl",
         include_str!("../../glsl/a_buffer/static.glsl"),
+    ),
+    (
+        "a_buffer/source.glsl",
+        include_str!("../../glsl/a_buffer/source.glsl"),
+    ),
+    (
+        "a_buffer/volume.glsl",
+        include_str!("../../glsl/a_buffer/volume.glsl"),
+    ),
+    (
+        "a_buffer/volume_ray.glsl",
+        include_str!("../../glsl/a_buffer/volume_ray.glsl"),
     ),
     ("capture.frag", include_str!("../../glsl/capture.frag")),
     (
@@ -279,7 +295,10 @@ impl Source {
     /// A file of `glsl/` by its name, with constants as `#define`s after its first line, which is its `#version`. The
     /// constant N makes the include `a_buffer/network`: the network that sorts N elements.
     pub(super) fn load_with(name: &str, constants: &[(&'static str, u32)]) -> Result<Self> {
-        let size = constants.iter().find(|(name, _)| *name == "N");
+        let constant = |wanted| constants.iter().find(|(name, _)| *name == wanted);
+        let size = constant("N");
+        let volumes = constant("VOLUMES").map_or_else(String::new, |&(_, n)| network::volumes(n));
+        let halvings = constant("POINTS").map_or_else(String::new, |&(_, n)| network::halvings(n));
         let network = match size {
             Some(&(_, n)) if n.is_power_of_two() && n <= LARGEST_NETWORK => {
                 network::glsl(n as usize)
@@ -290,6 +309,8 @@ impl Source {
         let mut source = Self::resolve(name, &|file| match file {
             NETWORK => Some(network.as_str()),
             ELEMENTS => Some(elements.as_str()),
+            EACH_VOLUME => Some(volumes.as_str()),
+            HALVINGS => Some(halvings.as_str()),
             _ => FILES
                 .iter()
                 .find(|(n, _)| *n == file)

@@ -183,7 +183,8 @@ impl GlMachine<'_> {
                 | Objects::Opaque
                 | Objects::Transparent
                 | Objects::Sorted
-                | Objects::Unsorted,
+                | Objects::Unsorted
+                | Objects::Proxies,
             ) => {
                 let no_scene = || {
                     Error::usage(
@@ -196,7 +197,7 @@ impl GlMachine<'_> {
                     .as_ref()
                     .ok_or_else(no_scene)?
                     .draw(unlit, lit, objects);
-                if drawn && objects != Objects::Opaque {
+                if drawn && !matches!(objects, Objects::Opaque | Objects::Proxies) {
                     self.counts.geometry_passes += 1;
                 }
             }

@@ -11,6 +11,7 @@ use super::program::{Linked, ProgramKey};
 use super::scan::ScanPrograms;
 use super::storage::StorageBuffer;
 use super::texture::Texture;
+use super::volumes::VolumeTextures;
 use crate::error::{Error, Result};
 use crate::steps::{Format, Map, Query, Storage, Target, Workspace};
 
@@ -36,6 +37,7 @@ pub struct GlMachine<'c> {
     /// Draws without attributes need an array of none.
     pub(super) no_attributes: glow::VertexArray,
     pub(super) geometry: Option<Geometry<'c>>,
+    pub(super) volumes: Option<VolumeTextures<'c>>,
     /// Linked when a scan is first asked for.
     pub(super) scan: Option<ScanPrograms>,
     pub(super) current: Option<ProgramKey>,
@@ -104,6 +106,7 @@ impl<'c> GlMachine<'c> {
             plain_sampler,
             no_attributes,
             geometry: None,
+            volumes: None,
             scan: None,
             current: None,
             band: None,
@@ -140,6 +143,7 @@ impl<'c> GlMachine<'c> {
                 glow::CULL_FACE,
                 glow::SCISSOR_TEST,
                 glow::DITHER,
+                glow::DEPTH_CLAMP,
             ] {
                 gl.disable(capability);
             }
@@ -204,7 +208,8 @@ impl<'c> GlMachine<'c> {
                     .storages
                     .values()
                     .map(StorageBuffer::bytes)
-                    .sum::<u64>(),
+                    .sum::<u64>()
+                + self.volumes.as_ref().map_or(0, VolumeTextures::bytes),
             ..self.counts
         }
     }

@@ -22,6 +22,7 @@ mod scan;
 mod storage;
 mod texture;
 mod trap;
+mod volumes;
 
 pub use capture::{CapturedFragment, capture};
 pub use classic::{ClassicState, FixedFunction};
@@ -30,6 +31,7 @@ pub use driver::{Driver, Trap, WANTED_EXTENSIONS};
 pub use geometry::Geometry;
 pub use machine::{Counts, GlMachine};
 pub use storage::{Texels, largest_storage};
+pub use volumes::{MOST_VOLUMES, VolumeTextures};
 
 // A map's format is part of the vocabulary.
 pub use crate::steps::Format;

@@ -45,6 +45,22 @@ pub(super) fn elements(n: usize) -> String {
     elements.join(" ") + "\n"
 }
 
+/// Every one of so many volumes, one `V(i)` each: a sampler's number has to be a constant.
+pub(super) fn volumes(count: u32) -> String {
+    let volumes: Vec<String> = (0..count).map(|i| format!("V({i})")).collect();
+    volumes.join(" ") + "\n"
+}
+
+/// The jumps of a binary search among `count` sorted elements, a power of two: `H(count / 2)` to `H(1)`.
+pub(super) fn halvings(count: u32) -> String {
+    let halves = std::iter::successors(Some(count / 2), |half| Some(half / 2));
+    let halves: Vec<String> = halves
+        .take_while(|&half| half > 0)
+        .map(|half| format!("H({half})"))
+        .collect();
+    halves.join(" ") + "\n"
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -16,6 +16,7 @@ pub(super) struct Program {
     pub(super) two_sided: Option<glow::UniformLocation>,
     pub(super) inside: Option<glow::UniformLocation>,
     pub(super) first_triangle: Option<glow::UniformLocation>,
+    pub(super) volume: Option<glow::UniformLocation>,
 }
 
 impl Program {
@@ -73,6 +74,7 @@ impl Program {
                 two_sided: uniform("two_sided"),
                 inside: uniform("inside"),
                 first_triangle: uniform("first_triangle"),
+                volume: uniform("volume"),
             })
         }
     }

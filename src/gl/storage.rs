@@ -14,6 +14,8 @@ pub enum Texels {
     R32Ui,
     /// Four.
     Rgba32Ui,
+    /// Four 32-bit floats.
+    Rgba32F,
 }
 
 /// A buffer and, for shaders that only read it, a buffer texture: on llvmpipe a texel is fetched several times as fast
@@ -47,7 +49,7 @@ pub fn largest_storage(context: &Context, texels: Texels) -> u64 {
     let limit = |name| u64::try_from(driver.limit(name)).unwrap_or(0);
     let texel = match texels {
         Texels::R32Ui => 4,
-        Texels::Rgba32Ui => 16,
+        Texels::Rgba32Ui | Texels::Rgba32F => 16,
     };
     // glow addresses the inside of a buffer with 31 bits.
     (i32::MAX as u64)
@@ -102,6 +104,7 @@ impl GlMachine<'_> {
                 let format = match texels {
                     Texels::R32Ui => glow::R32UI,
                     Texels::Rgba32Ui => glow::RGBA32UI,
+                    Texels::Rgba32F => glow::RGBA32F,
                 };
                 // SAFETY: the context is current, and the buffer has its storage.
                 unsafe {
@@ -229,12 +232,20 @@ impl GlMachine<'_> {
         const PARAMETERS: Storage = Storage("parameters");
         self.allocate_storage(PARAMETERS, 16, None)?;
         self.write_storage(PARAMETERS, &parameters)?;
-        let raw = self.storage(PARAMETERS)?.raw;
+        self.bind_uniforms(0, PARAMETERS)
+    }
+
+    /// Binds a buffer as a uniform block.
+    ///
+    /// # Errors
+    /// If there is no such buffer.
+    pub(super) fn bind_uniforms(&self, index: u32, storage: Storage) -> Result<()> {
+        let raw = self.storage(storage)?.raw;
         // SAFETY: the context is current, and the buffer is the machine's own.
         unsafe {
             self.context
                 .glow()
-                .bind_buffer_base(glow::UNIFORM_BUFFER, 0, Some(raw));
+                .bind_buffer_base(glow::UNIFORM_BUFFER, index, Some(raw));
         }
         Ok(())
     }

@@ -1,5 +1,6 @@
 //! Depth complexity: how many fragments each pixel has, and their histogram (Lindholm et al. 2015, section 3.1).
 
+use super::a_buffer::fused;
 use super::renderer::Renderer;
 use crate::error::Result;
 use crate::gl::Format;
@@ -20,7 +21,8 @@ pub enum CountBy {
     Stencil,
 }
 
-/// The depth complexity image: for each pixel the number of transparent fragments before the opaque surfaces.
+/// The depth complexity image: for each pixel the number of transparent fragments before the opaque surfaces, and of all
+/// fragments of volumes' boxes.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Complexity {
     /// Pixels per row.
@@ -116,7 +118,7 @@ impl Renderer<'_> {
         };
         machine.allocate(paper::COMPLEXITY, format)?;
         machine.target_of(paper::COUNT, &[paper::COMPLEXITY], Some(vtk::OPAQUE_DEPTH))?;
-        run(&listing, &[], Variables::new(), machine)?;
+        run(&listing, fused(scene), Variables::new(), machine)?;
         let map = match by {
             CountBy::Stencil => vtk::OPAQUE_DEPTH,
             CountBy::Blending | CountBy::Atomics => paper::COMPLEXITY,

@@ -268,7 +268,7 @@ impl Method {
 
     /// Whether it renders volumes, too; the others draw surfaces only, and refuse a scene with volumes.
     pub const fn renders_volumes(&self) -> bool {
-        matches!(self, Self::Exact)
+        matches!(self, Self::Exact | Self::ABuffer(_))
     }
 
     /// Its entry in the registry.

@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use super::a_buffer::ABuffer;
+use super::a_buffer::{ABuffer, fused};
 use super::coherent_layer_peeling::CoherentLayerPeeling;
 use super::coplanar_depth_peeling::CoplanarDepthPeeling;
 use super::depth_peeling::DepthPeeling;
@@ -295,7 +295,7 @@ impl<'c> Renderer<'c> {
         self.machine
             .target(DEPTH_ALONE, None, Some(vtk::OPAQUE_DEPTH))?;
         self.begin(scene)?;
-        run(&COUNT, &[], Variables::new(), &mut self.machine)?;
+        run(&COUNT, fused(scene), Variables::new(), &mut self.machine)?;
         self.machine.samples(FRAGMENTS)
     }
 }

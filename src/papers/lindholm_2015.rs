@@ -8,6 +8,7 @@
 
 pub mod components;
 
+use super::vtk::OPAQUE_DEPTH;
 use crate::steps;
 use crate::steps::{Amendment, Dialect, Listing, Map, Query, Shader, Storage, Target, gl::*};
 
@@ -124,6 +125,39 @@ pub const ORDERED: Amendment = Amendment {
     amended: steps! { glUseProgram(FILL_IN_ORDER); },
     why: "ordered fragments need no atomics",
     test: "l04_every_manager_and_fill_gives_the_oracle_s_image",
+};
+
+/// To every listing here that draws the transparent objects, where the scene has volumes: "for volumetric sources, only the
+/// associated proxy geometry is rendered during the Fill Step". Whether a ray is inside of a volume is read off the
+/// list, so a proxy's fragment must be in it wherever it lies: behind opaque surfaces (no depth test), before the near
+/// plane and behind the far one (depths are clamped, nothing is clipped).
+pub const PROXIES: Amendment = Amendment {
+    key: "L16",
+    place: "section 6.1, Fill Step",
+    printed: steps! { drawTransparentObjects(); },
+    amended: steps! {
+        drawTransparentObjects();
+        glDisable(DEPTH_TEST);
+        glEnable(DEPTH_CLAMP);
+        drawProxies();
+        glDisable(DEPTH_CLAMP);
+        glEnable(DEPTH_TEST);
+    },
+    why: "volumes enter the lists as the boxes around them",
+    test: "l16_fog_and_a_pane_follow_the_closed_form",
+};
+
+/// Goes before the Resolve Step where the scene has volumes: the opaque surfaces end the rays.
+pub const OPAQUE_ENDS_RAYS: Listing = Listing {
+    title: "Where rays end at the latest",
+    source: "onionskin",
+    dialect: Dialect::Calls,
+    steps: steps! {
+        glCopyImageSubData(OPAQUE_DEPTH, RAY_ENDS);
+        glActiveTexture(5);
+        glBindTexture(RAY_ENDS);
+        glActiveTexture(0);
+    },
 };
 
 /// The Resolve Step with one program for all pixels.
@@ -246,6 +280,8 @@ pub const ANCHOR: Map = Map::named("list anchor");
 /// What each pixel's resolve has cost: records read, fragments composited, subpasses, and of the Local Array the elements
 /// reserved (upper half) and used.
 pub const COST: Map = Map::named("resolve cost");
+/// The opaque depth once more: what is looked up must not be part of the framebuffer.
+pub const RAY_ENDS: Map = Map::named("ray ends");
 /// The global memory pool: fragment records.
 pub const RECORDS: Storage = Storage("fragment records");
 /// PPLL: the record after each record, 0 for none.

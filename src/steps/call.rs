@@ -62,6 +62,7 @@ pub enum Capability {
     DepthTest,
     StencilTest,
     Blend,
+    DepthClamp,
 }
 
 /// What `glClear` clears.
@@ -158,6 +159,8 @@ pub enum Objects {
     Sorted,
     /// What is not opaque, of all other meshes.
     Unsorted,
+    /// The boxes around the volumes.
+    Proxies,
     /// Two triangles over the whole viewport.
     Screen,
 }

@@ -43,6 +43,7 @@ pub const MAX: BlendEquation = BlendEquation::Max;
 pub const DEPTH_TEST: Capability = Capability::DepthTest;
 pub const STENCIL_TEST: Capability = Capability::StencilTest;
 pub const BLEND: Capability = Capability::Blend;
+pub const DEPTH_CLAMP: Capability = Capability::DepthClamp;
 
 pub const COLOR_BUFFER_BIT: Buffers = Buffers {
     color: true,
@@ -303,6 +304,13 @@ pub const fn drawUnsortedObjects() -> Step {
 pub const fn drawOpaqueObjects() -> Step {
     Step::Call(Call::Draw {
         objects: Objects::Opaque,
+    })
+}
+
+/// The volumes' proxy geometry: the box around each.
+pub const fn drawProxies() -> Step {
+    Step::Call(Call::Draw {
+        objects: Objects::Proxies,
     })
 }
 

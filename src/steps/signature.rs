@@ -197,6 +197,9 @@ pub(super) fn signature(call: &Call) -> (&'static str, Vec<(&'static str, String
             objects: Objects::Unsorted,
         } => call!("drawUnsortedObjects"),
         Call::Draw {
+            objects: Objects::Proxies,
+        } => call!("drawProxies"),
+        Call::Draw {
             objects: Objects::Screen,
         } => call!("drawScreen"),
         Call::Uniform { name, value } => call!(
@@ -259,6 +262,7 @@ const fn capability(cap: Capability) -> &'static str {
         Capability::DepthTest => "DEPTH_TEST",
         Capability::StencilTest => "STENCIL_TEST",
         Capability::Blend => "BLEND",
+        Capability::DepthClamp => "DEPTH_CLAMP",
     }
 }
 

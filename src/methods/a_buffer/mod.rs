@@ -10,7 +10,11 @@
 //! termination, what lies behind the point where the ray ended; as printed, ties across ppDP's subpasses. All of it is
 //! counted.
 //!
-//! Excludes: volumes; multisampling.
+//! Volumes (section 6.1) enter the lists as the boxes around them, and rays are cast between the fragments. A static
+//! array that drops a box's fragment does not know where the ray enters or leaves: it takes the ray to begin inside, or
+//! to stay inside; the pixel counts as truncated.
+//!
+//! Excludes: multisampling.
 
 mod bands;
 mod loops;
@@ -28,7 +32,7 @@ use crate::gl::{Format, GlMachine, Texels, largest_storage};
 use crate::papers::lindholm_2015 as paper;
 use crate::papers::vtk;
 use crate::scene::Scene;
-use crate::steps::{Machine, Reason, Storage, Variables, run};
+use crate::steps::{Amendment, Machine, Reason, Storage, Variables, run};
 
 /// What an A-buffer has cost; none of it depends on the machine.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -56,6 +60,8 @@ pub struct ABufferCounts {
 pub(super) struct ABuffer {
     pub(super) options: ABufferOptions,
     counts: ABufferCounts,
+    /// VOLUMES and POINTS, for the shaders.
+    volumes: [(&'static str, u32); 2],
     /// Every pixel's complexity, row by row from the bottom.
     complexity: Vec<u32>,
 }
@@ -68,6 +74,7 @@ impl ABuffer {
         Self {
             options,
             counts: ABufferCounts::default(),
+            volumes: [("VOLUMES", 0), ("POINTS", 0)],
             complexity: Vec::new(),
         }
     }
@@ -97,7 +104,8 @@ impl ABuffer {
     fn constants(&self, insertion: bool) -> Vec<(&'static str, u32)> {
         let options = &self.options;
         let yes = u32::from;
-        vec![
+        let mut constants = self.volumes.to_vec();
+        constants.extend([
             ("FFB", Manager::Ffb as u32),
             ("DFB", Manager::Dfb as u32),
             ("PPLL", Manager::Ppll as u32),
@@ -111,13 +119,15 @@ impl ABuffer {
             ("LAST_SEGMENT", options.array),
             ("SORT_BY_INSERTION", yes(insertion)),
             ("LARGEST_NETWORK", LARGEST_NETWORK),
-        ]
+        ]);
+        constants
     }
 }
 
 impl Algorithm for ABuffer {
-    fn prepare(&mut self, machine: &mut GlMachine<'_>, _: &Scene) -> Result<()> {
+    fn prepare(&mut self, machine: &mut GlMachine<'_>, scene: &Scene) -> Result<()> {
         self.options.check()?;
+        self.volumes = machine.upload_volumes(scene)?;
         if self.options.fill == Fill::Ordered && !self.ordered(machine) {
             return Err(Error::Driver {
                 what: "this driver has no GL_EXT_shader_framebuffer_fetch".into(),
@@ -143,12 +153,22 @@ impl Algorithm for ABuffer {
         machine.target_of(paper::RESOLVED, &[IMAGE, paper::COST], Some(depth))
     }
 
-    fn draw(&mut self, machine: &mut GlMachine<'_>, _: &Scene) -> Result<Drawn> {
+    fn draw(&mut self, machine: &mut GlMachine<'_>, scene: &Scene) -> Result<Drawn> {
         run(&vtk::OPAQUE_FIRST, &[], Variables::new(), machine)?;
-        run(&paper::COUNT_BY_BLENDING, &[], Variables::new(), machine)?;
+        let proxies = fused(scene);
+        run(
+            &paper::COUNT_BY_BLENDING,
+            proxies,
+            Variables::new(),
+            machine,
+        )?;
         self.complexity = machine.read_counts(paper::COMPLEXITY)?;
         let width = machine.size()[0];
         let bands = bands(&self.complexity, width, &self.options, self.room(machine))?;
+        if !scene.volumes.is_empty() {
+            run(&paper::OPAQUE_ENDS_RAYS, &[], Variables::new(), machine)?;
+            machine.bind_volumes()?;
+        }
         run(&paper::CLEAR_COST, &[], Variables::new(), machine)?;
         self.counts = ABufferCounts {
             bands: bands.len() as u32,
@@ -160,7 +180,7 @@ impl Algorithm for ABuffer {
             ..ABufferCounts::default()
         };
         for band in bands.iter().filter(|band| band.fragments > 0) {
-            self.draw_band(machine, band)?;
+            self.draw_band(machine, band, proxies)?;
         }
         machine.set_band(None);
         Ok(Drawn {
@@ -195,8 +215,23 @@ impl Algorithm for ABuffer {
     }
 }
 
+/// How a listing that draws transparent objects is amended for this scene.
+pub(super) const fn fused(scene: &Scene) -> &'static [Amendment] {
+    if scene.volumes.is_empty() {
+        &[]
+    } else {
+        &[paper::PROXIES]
+    }
+}
+
 impl ABuffer {
-    fn draw_band(&mut self, machine: &mut GlMachine<'_>, band: &Band) -> Result<()> {
+    /// `proxies` amends the Fill Step if there are volumes.
+    fn draw_band(
+        &mut self,
+        machine: &mut GlMachine<'_>,
+        band: &Band,
+        proxies: &[Amendment],
+    ) -> Result<()> {
         let width = machine.size()[0];
         let options = &self.options;
         let records = band.records(options.manager, width);
@@ -239,6 +274,8 @@ impl ABuffer {
         if options.as_printed && options.pp_ao {
             fill.push(paper::COUNT_WHILE_FILLING);
         }
+        // Last, so that what counts along counts proxies, too.
+        fill.extend_from_slice(proxies);
         run(&paper::CLEAR_AND_FILL, &fill, Variables::new(), machine)?;
         self.resolve(machine, band.layers)
     }
