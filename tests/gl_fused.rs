@@ -1,12 +1,20 @@
 //! Fused rendering: volumes and surfaces in one list, by A-buffers on GL, against closed forms and against the f64 caster.
 
-use onionskin::methods::{ABufferOptions, Frame, Manager, RecordColor};
+use glam::{DAffine3, DVec3};
+use onionskin::image::Comparison;
+use onionskin::methods::{ABufferOptions, CountBy, Fill, Frame, Manager, RecordColor, Sort};
+use onionskin::oracle::volumes::Ray;
+use onionskin::scene::{Transfer, TransferPoint, Volume};
 use onionskin::{Context, Method, Renderer, Scene};
+use proptest::test_runner::{TestCaseError, TestError};
 
 #[path = "common/fog_scenes.rs"]
 #[allow(dead_code)]
 mod fog_scenes;
-use fog_scenes::{fog_and_pane, off};
+use fog_scenes::{Random, fog_and_pane, off, painted, random_scene};
+#[path = "common/stack.rs"]
+#[allow(dead_code)]
+mod stack;
 
 /// The issue's. Where a proxy's or a pane's fragment lies is a depth of f32; see the bound of `gl_volumes.rs`.
 const BOUND: f64 = 1e-4;
@@ -48,4 +56,309 @@ fn l16_fog_and_a_pane_follow_the_closed_form() {
         }
     }
     println!("at most {worst:e} off");
+}
+
+/// Pixels of the image that lie too near the outline of a box for the rasteriser, whose vertices stand on 1/256 of a pixel,
+/// and the ray to agree on whether they see it.
+fn doubtful(scene: &Scene) -> Vec<bool> {
+    let [width, height] = scene.size;
+    let place = |pixel: u32| [pixel % width, height - 1 - pixel / width];
+    let seen = |[x, y]: [u32; 2], [right, up]: [u32; 2]| -> Vec<bool> {
+        // 1.5/256 of a pixel from its middle.
+        let fine = [256 * x + 126 + 3 * right, 256 * y + 126 + 3 * up];
+        let ray = Ray::through(&scene.camera, [width * 256, height * 256], fine);
+        scene
+            .volumes
+            .iter()
+            .map(|volume| sees(&ray, volume))
+            .collect()
+    };
+    (0..width * height)
+        .map(|pixel| {
+            let middle = seen(place(pixel), [0, 0]);
+            [[0, 1], [1, 0], [1, 1]]
+                .into_iter()
+                .any(|to| seen(place(pixel), to) != middle)
+        })
+        .collect()
+}
+
+fn sees(ray: &Ray, volume: &Volume) -> bool {
+    let to_index = volume.world_to_index();
+    let from = to_index.transform_point3(ray.origin);
+    let along = to_index.transform_vector3(ray.direction);
+    let (first, second) = (-from / along, (volume.last() - from) / along);
+    first.min(second).max_element() < first.max(second).min_element()
+}
+
+/// How many pixels are compared with `exact`'s, and the largest difference.
+fn compare(frame: &Frame, exact: &Frame, scene: &Scene) -> (usize, f64) {
+    let pixels = frame.image.pixels.iter().zip(&exact.image.pixels);
+    let sure = pixels
+        .zip(doubtful(scene))
+        .filter(|(_, doubtful)| !doubtful);
+    sure.fold((0, 0.0), |(count, worst), ((a, b), _)| {
+        let off = a
+            .to_array()
+            .into_iter()
+            .zip(b.to_array())
+            .map(|(a, b)| f64::from((a - b).abs()));
+        (count + 1, off.fold(worst, f64::max))
+    })
+}
+
+fn exact(context: &Context, scene: &Scene) -> Frame {
+    let [width, height] = scene.size;
+    let mut renderer = Renderer::new(context, width, height).unwrap();
+    renderer.render(scene, &Method::Exact).unwrap()
+}
+
+#[test]
+fn l16_random_scenes_are_the_f64_caster_s() {
+    let context = Context::headless().unwrap();
+    let largest = std::cell::Cell::new(0.0_f64);
+    let ran = stack::runner(40).run(&(0..1_000_000_u64), |seed| {
+        let scene = random_scene(seed);
+        let frame = render(&context, &scene, DFB);
+        let (compared, worst) = compare(&frame, &exact(&context, &scene), &scene);
+        largest.set(largest.get().max(worst));
+        if worst > BOUND || compared < 48 * 36 * 9 / 10 || frame.stats.lost != Some(0) {
+            let what = format!("{compared} compared, {worst:e} off, {}", frame.stats);
+            return Err(TestCaseError::fail(what));
+        }
+        Ok(())
+    });
+    match ran {
+        Ok(()) => println!("at most {:e} off", largest.get()),
+        Err(TestError::Fail(why, seed)) => panic!("scene {seed}: {why}"),
+        Err(other) => panic!("{other}"),
+    }
+}
+
+#[test]
+fn a_volume_less_a_denser_one_or_another_step_would_be_noticed() {
+    let context = Context::headless().unwrap();
+    let scene = random_scene(3);
+    let image = exact(&context, &scene);
+    let changed = |change: fn(&mut Scene)| {
+        let mut other = scene.clone();
+        change(&mut other);
+        compare(&render(&context, &other, DFB), &image, &scene).1
+    };
+    assert!(changed(|_| ()) < BOUND);
+    // As if a box's fragments were not toggled at; as if steps were not what they are; other surfaces.
+    assert!(changed(|scene| _ = scene.volumes.pop()) > 2.0 * BOUND);
+    assert!(changed(|scene| scene.volumes[1].step *= 2.0) > 2.0 * BOUND);
+    assert!(changed(|scene| scene.meshes[0].triangles.truncate(20)) > 2.0 * BOUND);
+}
+
+#[test]
+fn l16_l17_every_combination_gives_one_image() {
+    let context = Context::headless().unwrap();
+    for seed in [3, 6] {
+        let scene = random_scene(seed);
+        let first = render(&context, &scene, DFB);
+        let [width, height] = scene.size;
+        let mut renderer = Renderer::new(&context, width, height).unwrap();
+        for manager in [Manager::Ffb, Manager::Dfb, Manager::Ppll] {
+            for (pp_ao, pp_dp) in [(false, false), (true, false), (false, true), (true, true)] {
+                for (fill, sort, budget) in [
+                    (Fill::Atomics, Sort::Insertion, None),
+                    (Fill::Automatic, Sort::Network, Some(60_000)),
+                ] {
+                    // ppDP in subpasses of 3, and of 8 where ppAO ends.
+                    let options = ABufferOptions {
+                        manager,
+                        pp_ao,
+                        pp_dp,
+                        fill,
+                        sort,
+                        budget,
+                        array: if pp_ao && pp_dp { 8 } else { 64 },
+                        peel: 3,
+                        ..DFB
+                    };
+                    let frame = renderer.render(&scene, &Method::ABuffer(options)).unwrap();
+                    let counts = frame.stats.a_buffer.unwrap();
+                    // The same fragments in the same order, and the same segments between them: the same bits.
+                    let error = Comparison::new(&frame.image, &first.image, 0.0).unwrap();
+                    let what = format!("seed {seed} {options:?}: {error:?}");
+                    assert_eq!((error.over, frame.stats.lost), (0, Some(0)), "{what}");
+                    assert_eq!(counts.bands > 1, budget.is_some(), "{what}");
+                    assert!(!pp_dp || pp_ao || counts.most_subpasses > 1, "{what}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn l16_densities_of_overlapping_volumes_add() {
+    let context = Context::headless().unwrap();
+    for eye in [5.0, 0.75] {
+        let mut scene = fog_and_pane(eye, -0.4, 0.4, 0.3);
+        let mut second = scene.volumes[0].clone();
+        let points = [0.0_f32, 1.0].map(|value| TransferPoint {
+            value,
+            color: [1.0, 0.0, 0.0],
+            density: value * 0.5,
+        });
+        second = second.with_transfer(Transfer::new(points.into()).unwrap());
+        scene.volumes.push(second);
+        let image = render(&context, &scene, DFB).image;
+        let together = off(&scene, &image, f64::from(0.7_f32) * 1.5);
+        assert!(together < BOUND, "eye {eye}: {together}");
+        assert!(off(&scene, &image, f64::from(0.7_f32)) > 0.01);
+    }
+}
+
+/// Midpoints: halving the step takes the error to a quarter. Density alone would be exact at every step, for it is linear;
+/// the colour changes with it.
+#[test]
+fn l16_the_image_of_a_gradient_converges_with_the_square_of_the_step() {
+    let context = Context::headless().unwrap();
+    let mut scene = fog_and_pane(5.0, 2.0, 0.0, 1.0);
+    let samples = (0..8).map(|i| (i / 4) as f32).collect();
+    let mut place = DAffine3::from_scale(DVec3::splat(2.0));
+    place.translation = DVec3::splat(-1.0);
+    let point = |value, color| TransferPoint {
+        value,
+        color,
+        density: 3.0 * value,
+    };
+    let points = vec![point(0.0, [0.0, 0.0, 1.0]), point(1.0, [1.0, 0.0, 0.0])];
+    let volume = Volume::new("gradient", [2; 3], samples, place).unwrap();
+    scene.volumes = vec![volume.with_transfer(Transfer::new(points).unwrap())];
+    let mut at = |step| {
+        scene.volumes[0].step = step;
+        render(&context, &scene, DFB).image
+    };
+    let limit = at(1.0 / 512.0);
+    let errors =
+        [0.25, 0.125, 0.0625].map(|step| Comparison::new(&at(step), &limit, 0.0).unwrap().max);
+    for pair in errors.windows(2) {
+        let ratio = pair[0] / pair[1];
+        assert!((3.5..4.5).contains(&ratio), "{errors:?}");
+    }
+}
+
+#[test]
+fn l16_sixteen_volumes_at_once_and_no_more_than_there_are_bits() {
+    let context = Context::headless().unwrap();
+    let mut random = Random(88_172_645_463_325_252);
+    let mut scene = random_scene(2);
+    scene.volumes = (0..16).map(|i| random.volume(i == 0)).collect();
+    let frame = render(&context, &scene, DFB);
+    let (_, worst) = compare(&frame, &exact(&context, &scene), &scene);
+    assert!(worst < BOUND, "{worst}");
+    scene.volumes = vec![scene.volumes[1].clone(); 33];
+    let [width, height] = scene.size;
+    let mut renderer = Renderer::new(&context, width, height).unwrap();
+    let refused = renderer
+        .render(&scene, &Method::ABuffer(DFB))
+        .unwrap_err()
+        .to_string();
+    assert!(
+        refused.contains("33 volumes") && refused.contains("32"),
+        "{refused}"
+    );
+}
+
+/// The eye inside of a volume that ends behind the far plane: no face of it is between the planes.
+#[test]
+fn l16_a_volume_around_the_whole_frustum_is_seen() {
+    let context = Context::headless().unwrap();
+    let mut scene = fog_and_pane(0.75, -0.1, 0.4, 0.3);
+    for far in [1.6, 1.3, 20.0] {
+        scene.camera.far = far;
+        let frame = render(&context, &scene, DFB);
+        let (_, worst) = compare(&frame, &exact(&context, &scene), &scene);
+        assert!(worst < BOUND, "{far}: {worst}");
+        assert_eq!(frame.stats.lost, Some(0));
+    }
+}
+
+#[test]
+fn a_full_array_and_an_early_end_are_counted() {
+    let context = Context::headless().unwrap();
+    let scene = random_scene(3);
+    let whole = render(&context, &scene, DFB);
+    let full = render(&context, &scene, ABufferOptions { array: 2, ..DFB });
+    assert!(full.stats.lost > Some(0), "{}", full.stats);
+    assert!(full.stats.a_buffer.unwrap().truncated_pixels > 0);
+    let mut dense = scene.clone();
+    dense.volumes = vec![
+        scene.volumes[0]
+            .clone()
+            .with_transfer(painted([1.0, 0.5, 0.0])),
+    ];
+    let points = dense.volumes[0].transfer.points().to_vec();
+    let points = points.into_iter().map(|point| TransferPoint {
+        density: point.density * 20.0,
+        ..point
+    });
+    dense.volumes[0].transfer = Transfer::new(points.collect()).unwrap();
+    let whole_dense = render(&context, &dense, DFB);
+    for pp_dp in [false, true] {
+        let options = ABufferOptions {
+            termination: 0.02,
+            pp_dp,
+            ..DFB
+        };
+        let early = render(&context, &dense, options);
+        let error = Comparison::new(&early.image, &whole_dense.image, 0.02).unwrap();
+        assert!(error.over == 0 && error.max > 0.0, "{error:?}");
+        assert!(early.stats.lost > Some(0));
+    }
+    assert_eq!(whole.stats.lost, Some(0));
+}
+
+/// Boxes are counted as the lists hold them, wherever opaque surfaces are: twice where a ray passes through one, once where
+/// the eye is inside.
+#[test]
+fn l01_the_complexity_image_counts_boxes() {
+    let context = Context::headless().unwrap();
+    for (eye, alpha, pane, expected) in [
+        (5.0, 0.4, 0.3, 3),
+        (5.0, 1.0, 2.0, 2),
+        (5.0, 0.4, -2.0, 3),
+        (0.75, 1.0, -0.1, 1),
+    ] {
+        let scene = fog_and_pane(eye, pane, alpha, 0.5);
+        let [width, height] = scene.size;
+        let mut renderer = Renderer::new(&context, width, height).unwrap();
+        for by in [CountBy::Blending, CountBy::Atomics, CountBy::Stencil] {
+            let counted = renderer.complexity(&scene, by).unwrap();
+            let middle = counted.counts[(height / 2 * width + width / 2) as usize];
+            assert_eq!(middle, expected, "{by:?} eye {eye} pane {pane}");
+            let frame = renderer.render(&scene, &Method::ABuffer(DFB)).unwrap();
+            assert_eq!(frame.stats.fragments, counted.fragments(), "{by:?}");
+        }
+    }
+}
+
+/// llvmpipe ends a shader's loops after 65535 iterations, in silence.
+#[test]
+fn so_many_samples_that_the_driver_would_lose_some_are_refused() {
+    let context = Context::headless().unwrap();
+    if !context.driver().renderer.contains("llvmpipe") {
+        println!("skipped: only llvmpipe has this limit");
+        return;
+    }
+    let scene = fog_and_pane(5.0, 0.3, 0.4, 0.0001);
+    let [width, height] = scene.size;
+    let mut renderer = Renderer::new(&context, width, height).unwrap();
+    let refused = renderer
+        .render(&scene, &Method::ABuffer(DFB))
+        .unwrap_err()
+        .to_string();
+    assert!(
+        refused.contains("samples") && refused.contains("step"),
+        "{refused}"
+    );
+    // As many as are taken come out whole.
+    let scene = fog_and_pane(5.0, 0.3, 0.4, 0.0005);
+    let image = render(&context, &scene, DFB).image;
+    let off = off(&scene, &image, f64::from(0.7_f32));
+    assert!(off < BOUND, "{off}");
 }

@@ -2,6 +2,7 @@
 //! iterations, silently (Mesa 22.3 to 25, `LP_MAX_TGSI_LOOP_ITERATIONS`). A pixel that ran into it would lose fragments.
 
 use crate::error::{Error, Result};
+use crate::scene::Volume;
 
 /// Some are left for what is not counted here.
 const ITERATIONS: u64 = 60_000;
@@ -43,6 +44,37 @@ pub(super) fn peel_that_fits(renderer: &str, peel: u32, complexity: u32) -> Resu
 /// Whether ppDP may insert with a loop.
 pub(super) fn insertion_fits(renderer: &str, complexity: u32) -> bool {
     !is_limited(renderer) || complexity <= INSERTION
+}
+
+/// Pixels that llvmpipe shades at a time. Their loops are one loop, which goes on while any of them does; in the worst case
+/// no two of them sample at the same time.
+const TOGETHER: f64 = 8.0;
+
+/// Whether the volumes of a scene can be sampled along every ray.
+///
+/// # Errors
+/// A ray through all of them, corner to corner, would take too many samples.
+pub(super) fn expect_samples_fit(renderer: &str, volumes: &[Volume]) -> Result<()> {
+    let steps = volumes.iter().map(Volume::sampling_distance);
+    let Some(step) = steps.reduce(f64::min) else {
+        return Ok(());
+    };
+    let longest = |volume: &Volume| {
+        let corners = volume.corners();
+        let diagonals = (0..4).map(|corner| corners[corner].distance(corners[7 - corner]));
+        diagonals.fold(0.0, f64::max)
+    };
+    let samples = (volumes.iter().map(longest).sum::<f64>() / step).ceil();
+    if !is_limited(renderer) || samples * TOGETHER <= ITERATIONS as f64 {
+        return Ok(());
+    }
+    Err(Error::Driver {
+        what: format!(
+            "a ray may take {samples} samples in the volumes, and this driver ({renderer}) ends the loops of the \
+             {TOGETHER} pixels that it shades together after 65535 iterations"
+        ),
+        remedy: "give the volumes a larger step, or render with -m exact".into(),
+    })
 }
 
 fn is_limited(renderer: &str) -> bool {

@@ -127,6 +127,8 @@ impl ABuffer {
 impl Algorithm for ABuffer {
     fn prepare(&mut self, machine: &mut GlMachine<'_>, scene: &Scene) -> Result<()> {
         self.options.check()?;
+        let renderer = &machine.context().driver().renderer;
+        loops::expect_samples_fit(renderer, &scene.volumes)?;
         self.volumes = machine.upload_volumes(scene)?;
         if self.options.fill == Fill::Ordered && !self.ordered(machine) {
             return Err(Error::Driver {
