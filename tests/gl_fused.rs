@@ -58,37 +58,46 @@ fn l16_fog_and_a_pane_follow_the_closed_form() {
     println!("at most {worst:e} off");
 }
 
-/// Pixels of the image that lie too near the outline of a box for the rasteriser, whose vertices stand on 1/256 of a pixel,
-/// and the ray to agree on whether they see it.
+/// Pixels whose ray meets a box in another way, or a good deal earlier or later, 3/256 of a pixel aside: at outlines and on
+/// faces that are seen edge on. The rasteriser's vertices stand on 1/256 of a pixel, and its depths are f32.
 fn doubtful(scene: &Scene) -> Vec<bool> {
     let [width, height] = scene.size;
-    let place = |pixel: u32| [pixel % width, height - 1 - pixel / width];
-    let seen = |[x, y]: [u32; 2], [right, up]: [u32; 2]| -> Vec<bool> {
+    let met = |pixel: u32, [right, up]: [u32; 2]| -> Vec<[f64; 2]> {
+        let [x, y] = [pixel % width, height - 1 - pixel / width];
         // 1.5/256 of a pixel from its middle.
         let fine = [256 * x + 126 + 3 * right, 256 * y + 126 + 3 * up];
         let ray = Ray::through(&scene.camera, [width * 256, height * 256], fine);
-        scene
-            .volumes
-            .iter()
-            .map(|volume| sees(&ray, volume))
-            .collect()
+        let volumes = scene.volumes.iter();
+        volumes.map(|volume| crossing(&ray, volume)).collect()
+    };
+    let near = |a: &[[f64; 2]], b: &[[f64; 2]]| {
+        let pairs = a.as_flattened().iter().zip(b.as_flattened());
+        pairs
+            .into_iter()
+            .all(|(a, b)| a == b || (a - b).abs() < 0.005)
     };
     (0..width * height)
         .map(|pixel| {
-            let middle = seen(place(pixel), [0, 0]);
-            [[0, 1], [1, 0], [1, 1]]
-                .into_iter()
-                .any(|to| seen(place(pixel), to) != middle)
+            let middle = met(pixel, [0, 0]);
+            let aside = [[0, 1], [1, 0], [1, 1]].map(|to| met(pixel, to));
+            !aside.iter().all(|aside| near(aside, &middle))
         })
         .collect()
 }
 
-fn sees(ray: &Ray, volume: &Volume) -> bool {
+/// Where a ray is in the box of a volume; infinities where it is not.
+fn crossing(ray: &Ray, volume: &Volume) -> [f64; 2] {
     let to_index = volume.world_to_index();
     let from = to_index.transform_point3(ray.origin);
     let along = to_index.transform_vector3(ray.direction);
     let (first, second) = (-from / along, (volume.last() - from) / along);
-    first.min(second).max_element() < first.max(second).min_element()
+    let enter = first.min(second).max_element().max(ray.near);
+    let leave = first.max(second).min_element().min(ray.far);
+    if enter < leave {
+        [enter, leave]
+    } else {
+        [f64::INFINITY; 2]
+    }
 }
 
 /// How many pixels are compared with `exact`'s, and the largest difference.
@@ -122,7 +131,7 @@ fn l16_random_scenes_are_the_f64_caster_s() {
         let frame = render(&context, &scene, DFB);
         let (compared, worst) = compare(&frame, &exact(&context, &scene), &scene);
         largest.set(largest.get().max(worst));
-        if worst > BOUND || compared < 48 * 36 * 9 / 10 || frame.stats.lost != Some(0) {
+        if worst > BOUND || compared < 48 * 36 * 3 / 4 || frame.stats.lost != Some(0) {
             let what = format!("{compared} compared, {worst:e} off, {}", frame.stats);
             return Err(TestCaseError::fail(what));
         }
