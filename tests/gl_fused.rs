@@ -136,7 +136,7 @@ fn l16_random_scenes_are_the_f64_caster_s() {
         let (compared, worst) = compare(&frame, &exact(&context, &scene), &scene);
         largest.set(largest.get().max(worst));
         let all = Comparison::new(&frame.image, &exact(&context, &scene).image, BOUND).unwrap();
-        let over = all.over as usize;
+        let over = all.over;
         let outliers = worst > BOUND && (over > FEW_PIXELS || worst > 10.0 * BOUND);
         if outliers || compared < 48 * 36 * 3 / 4 || frame.stats.lost != Some(0) {
             let what = format!("{compared} compared, {worst:e} off, {}", frame.stats);

@@ -9,7 +9,6 @@ use plotters::style::{FontStyle, register_font};
 
 use super::save_text;
 use crate::error::{Error, Result};
-use crate::fragment::Rgba;
 use crate::image::Image;
 use crate::methods::{Bin, Complexity};
 
@@ -84,14 +83,7 @@ pub fn plot(name: &str, complexity: &Complexity, bin: u32, kind: PlotKind) -> Re
                 &caption,
                 &bins,
             )?;
-            let pixel = |rgb: &[u8]| {
-                Rgba::opaque([rgb[0], rgb[1], rgb[2]].map(|channel| f32::from(channel) / 255.0))
-            };
-            Ok(Plot::Png(Image {
-                width: SIZE.0,
-                height: SIZE.1,
-                pixels: bytes.chunks_exact(3).map(pixel).collect(),
-            }))
+            Ok(Plot::Png(super::series::in_pixels(SIZE, &bytes)))
         }
     }
 }
@@ -179,6 +171,7 @@ fn draw<B: DrawingBackend>(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::fragment::Rgba;
 
     fn complexity() -> Complexity {
         Complexity {

@@ -1,9 +1,11 @@
 //! What goes onto paper: pictures, plots, tables.
 
+mod bars;
 mod complexity;
 mod histogram;
 mod series;
 
+pub use bars::{BarGroup, bars};
 pub use complexity::{csv, picture};
 pub use histogram::{Plot, PlotKind, plot};
 pub use series::{BINS, Moment, save_series_csv, series, series_csv};

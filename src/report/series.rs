@@ -78,13 +78,17 @@ pub fn series(caption: &str, names: &[&str], moments: &[Moment]) -> Result<[Plot
     let mut bytes = vec![0; (SIZE.0 * SIZE.1 * 3) as usize];
     let backend = BitMapBackend::with_buffer(&mut bytes, SIZE);
     draw(backend.into_drawing_area(), caption, names, moments)?;
+    Ok([Plot::Svg(text), Plot::Png(in_pixels(SIZE, &bytes))])
+}
+
+/// What a plotting library's bytes, three a pixel, show.
+pub(super) fn in_pixels((width, height): (u32, u32), bytes: &[u8]) -> Image {
     let pixel = |rgb: &[u8]| Rgba::opaque([0, 1, 2].map(|n| f32::from(rgb[n]) / 255.0));
-    let image = Image {
-        width: SIZE.0,
-        height: SIZE.1,
+    Image {
+        width,
+        height,
         pixels: bytes.chunks_exact(3).map(pixel).collect(),
-    };
-    Ok([Plot::Svg(text), Plot::Png(image)])
+    }
 }
 
 /// Its numbers as CSV: a line of names, then a line for each moment.

@@ -1,0 +1,155 @@
+//! Figure 6 of Lindholm et al. 2015: bars side by side, a group for each scene.
+
+use plotters::coord::Shift;
+use plotters::prelude::*;
+
+use super::Plot;
+use super::histogram::{FAMILY, register_the_font};
+use super::series::in_pixels;
+use crate::error::{Error, Result};
+
+/// Bars that stand together.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BarGroup {
+    /// What is written under them.
+    pub name: String,
+    /// Their heights, at least 0, in the chart's order of names.
+    pub heights: Vec<f64>,
+}
+
+const SIZE: (u32, u32) = (1280, 560);
+/// Three hues of four shades: a manager each, and static, ppAO, ppDP, both.
+const COLORS: [RGBColor; 12] = [
+    RGBColor(0xC6, 0xDB, 0xEF),
+    RGBColor(0x6B, 0xAE, 0xD6),
+    RGBColor(0x21, 0x71, 0xB5),
+    RGBColor(0x08, 0x30, 0x6B),
+    RGBColor(0xFD, 0xD0, 0xA2),
+    RGBColor(0xFD, 0x8D, 0x3C),
+    RGBColor(0xD9, 0x48, 0x01),
+    RGBColor(0x7F, 0x27, 0x04),
+    RGBColor(0xC7, 0xE9, 0xC0),
+    RGBColor(0x74, 0xC4, 0x76),
+    RGBColor(0x23, 0x8B, 0x45),
+    RGBColor(0x00, 0x44, 0x1B),
+];
+
+/// The chart as an SVG, and in pixels. A line marks the height 1, which ratios are relative to; `of_what` names the
+/// vertical axis. There are at most twelve names.
+///
+/// # Errors
+/// What the plotting library cannot do.
+pub fn bars(
+    caption: &str,
+    of_what: &str,
+    names: &[String],
+    groups: &[BarGroup],
+) -> Result<[Plot; 2]> {
+    register_the_font();
+    let chart = Chart {
+        caption,
+        of_what,
+        names,
+        groups,
+    };
+    let mut text = String::new();
+    chart.draw(SVGBackend::with_string(&mut text, SIZE).into_drawing_area())?;
+    let mut bytes = vec![0; (SIZE.0 * SIZE.1 * 3) as usize];
+    chart.draw(BitMapBackend::with_buffer(&mut bytes, SIZE).into_drawing_area())?;
+    Ok([Plot::Svg(text), Plot::Png(in_pixels(SIZE, &bytes))])
+}
+
+struct Chart<'a> {
+    caption: &'a str,
+    of_what: &'a str,
+    names: &'a [String],
+    groups: &'a [BarGroup],
+}
+
+impl Chart<'_> {
+    fn draw<B: DrawingBackend>(&self, area: DrawingArea<B, Shift>) -> Result<()> {
+        let heights = self.groups.iter().flat_map(|group| &group.heights);
+        let top = heights.copied().fold(1.0, f64::max) * 1.1;
+        // A bar's width of space on either side of a group.
+        let width = 1.0 / (self.names.len() + 2) as f64;
+        let end = self.groups.len().max(1) as f64;
+        let plot = || {
+            area.fill(&WHITE)?;
+            let (left, legend) = area.split_horizontally(SIZE.0 - 200);
+            let mut chart = ChartBuilder::on(&left)
+                .caption(self.caption, (FAMILY, 24))
+                .margin(16)
+                .x_label_area_size(40)
+                .y_label_area_size(64)
+                .build_cartesian_2d(0.0..end, 0.0..top)?;
+            chart
+                .configure_mesh()
+                .disable_x_mesh()
+                .disable_x_axis()
+                .light_line_style(TRANSPARENT)
+                .y_desc(self.of_what)
+                .axis_desc_style((FAMILY, 20))
+                .label_style((FAMILY, 18))
+                .draw()?;
+            for (n, color) in (0..self.names.len()).zip(COLORS) {
+                let bars = self.groups.iter().enumerate().filter_map(|(place, group)| {
+                    let x = place as f64 + (n + 1) as f64 * width;
+                    let ends = [(x, 0.0), (x + 0.9 * width, *group.heights.get(n)?)];
+                    Some(Rectangle::new(ends, color.filled()))
+                });
+                chart.draw_series(bars)?;
+            }
+            chart.draw_series([PathElement::new([(0.0, 1.0), (end, 1.0)], BLACK)])?;
+            for (place, group) in self.groups.iter().enumerate() {
+                let (x, y) = chart.backend_coord(&(place as f64 + 0.5, 0.0));
+                let style = TextStyle::from((FAMILY, 20).into_font());
+                let width = group.name.len() as i32 * 9;
+                left.draw_text(&group.name, &style, (x - width / 2, y + 12))?;
+            }
+            for (n, (name, color)) in self.names.iter().zip(COLORS).enumerate() {
+                let y = 70 + 34 * n as i32;
+                legend.draw(&Rectangle::new([(0, y), (22, y + 18)], color.filled()))?;
+                let style = TextStyle::from((FAMILY, 18).into_font());
+                legend.draw_text(name, &style, (30, y))?;
+            }
+            area.present()
+        };
+        plot().map_err(|e: DrawingAreaErrorKind<B::ErrorType>| Error::Driver {
+            what: format!("the bars cannot be plotted: {e}"),
+            remedy: "take the numbers from the table".into(),
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_bar_is_drawn_in_its_colour_and_to_its_height() {
+        let groups = [BarGroup {
+            name: "scene".into(),
+            heights: vec![1.0, 2.0],
+        }];
+        let names = ["one".to_owned(), "two".to_owned()];
+        let [Plot::Svg(text), Plot::Png(image)] = bars("", "ratio", &names, &groups).unwrap()
+        else {
+            panic!("an SVG and a picture were promised");
+        };
+        assert!(text.contains("scene") && text.contains("two"), "{text}");
+        // The legend's swatches lie to the right of the bars.
+        let pixels = |color: RGBColor| {
+            let is = |channel: f32, byte: u8| (channel * 255.0 - f32::from(byte)).abs() < 0.5;
+            let of_it = image.pixels.iter().enumerate().filter(|(place, pixel)| {
+                (*place as u32 % SIZE.0) < SIZE.0 - 200
+                    && is(pixel.r, color.0)
+                    && is(pixel.g, color.1)
+                    && is(pixel.b, color.2)
+            });
+            of_it.count() as f64
+        };
+        let ratio = pixels(COLORS[1]) / pixels(COLORS[0]);
+        // A row of pixels more or less, of more than a hundred.
+        assert!((ratio - 2.0).abs() < 0.03, "{ratio}");
+    }
+}
