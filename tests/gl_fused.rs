@@ -58,9 +58,13 @@ fn l16_fog_and_a_pane_follow_the_closed_form() {
     println!("at most {worst:e} off");
 }
 
-/// Pixels whose ray meets a box in another way, or a good deal earlier or later, 3/256 of a pixel aside: at outlines and on
-/// faces that are seen edge on. The rasteriser's vertices stand on 1/256 of a pixel, and its depths are f32.
-fn doubtful(scene: &Scene) -> Vec<bool> {
+/// What a pixel may be off by for the rasteriser's sake; infinite where it may see another box, at outlines.
+///
+/// Where a box is entered and left is the depth of a face whose vertices stand on 1/256 of a pixel, up to half of that from
+/// where they are. So a crossing, and with it the samples behind it, may move by a third of what it differs three times as
+/// far aside; light gained or lost is no more than that length times the densities, where it is entered, where it is left,
+/// and in the samples between.
+fn slack(scene: &Scene) -> Vec<f64> {
     let [width, height] = scene.size;
     let met = |pixel: u32, [right, up]: [u32; 2]| -> Vec<[f64; 2]> {
         let [x, y] = [pixel % width, height - 1 - pixel / width];
@@ -70,17 +74,23 @@ fn doubtful(scene: &Scene) -> Vec<bool> {
         let volumes = scene.volumes.iter();
         volumes.map(|volume| crossing(&ray, volume)).collect()
     };
-    let near = |a: &[[f64; 2]], b: &[[f64; 2]]| {
+    let moved = |a: &[[f64; 2]], b: &[[f64; 2]]| {
         let pairs = a.as_flattened().iter().zip(b.as_flattened());
-        pairs
-            .into_iter()
-            .all(|(a, b)| a == b || (a - b).abs() < 0.005)
+        let moved = pairs.map(|(a, b)| if a == b { 0.0 } else { (a - b).abs() });
+        moved.fold(0.0, f64::max)
     };
+    let points = |volume: &Volume| {
+        let points = volume.transfer.points().iter();
+        points
+            .map(|point| f64::from(point.density))
+            .fold(0.0, f64::max)
+    };
+    let densities: f64 = scene.volumes.iter().map(points).sum();
     (0..width * height)
         .map(|pixel| {
             let middle = met(pixel, [0, 0]);
-            let aside = [[0, 1], [1, 0], [1, 1]].map(|to| met(pixel, to));
-            !aside.iter().all(|aside| near(aside, &middle))
+            let aside = [[0, 1], [1, 0], [1, 1]].map(|to| moved(&met(pixel, to), &middle));
+            densities * aside.into_iter().fold(0.0, f64::max)
         })
         .collect()
 }
@@ -100,20 +110,17 @@ fn crossing(ray: &Ray, volume: &Volume) -> [f64; 2] {
     }
 }
 
-/// How many pixels are compared with `exact`'s, and the largest difference.
+/// How many pixels are compared with `exact`'s, and the largest difference, less what [`slack`] allows.
 fn compare(frame: &Frame, exact: &Frame, scene: &Scene) -> (usize, f64) {
     let pixels = frame.image.pixels.iter().zip(&exact.image.pixels);
-    let sure = pixels
-        .zip(doubtful(scene))
-        .filter(|(_, doubtful)| !doubtful);
-    sure.fold((0, 0.0), |(count, worst), ((a, b), _)| {
-        let off = a
-            .to_array()
-            .into_iter()
-            .zip(b.to_array())
-            .map(|(a, b)| f64::from((a - b).abs()));
-        (count + 1, off.fold(worst, f64::max))
-    })
+    let (mut compared, mut worst) = (0, 0.0_f64);
+    for ((a, b), slack) in pixels.zip(slack(scene)) {
+        let channels = a.to_array().into_iter().zip(b.to_array());
+        let off = channels.map(|(a, b)| f64::from((a - b).abs()));
+        worst = worst.max(off.fold(0.0, f64::max) - slack);
+        compared += usize::from(slack < f64::INFINITY);
+    }
+    (compared, worst)
 }
 
 fn exact(context: &Context, scene: &Scene) -> Frame {
@@ -121,10 +128,6 @@ fn exact(context: &Context, scene: &Scene) -> Frame {
     let mut renderer = Renderer::new(context, width, height).unwrap();
     renderer.render(scene, &Method::Exact).unwrap()
 }
-
-/// Of a million pixels a few are off by more than the bound, up to 4.3e-4 seen: where a box is entered and left is the
-/// rasteriser's depth there, not the ray's.
-const FEW_PIXELS: usize = 2;
 
 #[test]
 fn l16_random_scenes_are_the_f64_caster_s() {
@@ -135,10 +138,7 @@ fn l16_random_scenes_are_the_f64_caster_s() {
         let frame = render(&context, &scene, DFB);
         let (compared, worst) = compare(&frame, &exact(&context, &scene), &scene);
         largest.set(largest.get().max(worst));
-        let all = Comparison::new(&frame.image, &exact(&context, &scene).image, BOUND).unwrap();
-        let over = all.over;
-        let outliers = worst > BOUND && (over > FEW_PIXELS || worst > 10.0 * BOUND);
-        if outliers || compared < 48 * 36 * 3 / 4 || frame.stats.lost != Some(0) {
+        if worst > BOUND || compared < 48 * 36 * 3 / 4 || frame.stats.lost != Some(0) {
             let what = format!("{compared} compared, {worst:e} off, {}", frame.stats);
             return Err(TestCaseError::fail(what));
         }
