@@ -163,8 +163,10 @@ fn a_model_of_another_kind() {
 
 #[test]
 fn an_unknown_key_of_a_scene_file() {
-    refused_file("size = [64, 48]\ncolour = 1\n[[mesh]]\nfile = \"m.obj\"\n")
-        .says(&["s.toml:2: 'colour': ", "size, background, camera, path, mesh"]);
+    refused_file("size = [64, 48]\ncolour = 1\n[[mesh]]\nfile = \"m.obj\"\n").says(&[
+        "s.toml:2: 'colour': ",
+        "size, background, camera, path, mesh",
+    ]);
 }
 
 #[test]
