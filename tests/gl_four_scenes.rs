@@ -25,9 +25,9 @@ fn count(scene: &Scene) -> Complexity {
     renderer.complexity(scene, CountBy::Blending).unwrap()
 }
 
-/// Half of the covered pixels have at most a third of the deepest one's fragments.
-fn falls_steeply(complexity: &Complexity) -> bool {
-    3 * complexity.percentile(0.5) <= complexity.max()
+/// Half of the covered pixels have at most such a part of the deepest one's fragments.
+fn falls(complexity: &Complexity, part: u32) -> bool {
+    part * complexity.percentile(0.5) <= complexity.max()
 }
 
 #[test]
@@ -45,17 +45,21 @@ fn the_scenes_have_the_sources_of_table_1() {
     }
 }
 
+/// The surfaces' histograms fall to a third. With the boxes of volumes, two fragments of each on every ray through it, to a
+/// half at least: where few surfaces stand in two boxes, as in `space`, the boxes are most of what there is.
 #[test]
 fn l03_most_pixels_lie_far_below_the_maximum() {
     for (name, ..) in SCENES {
-        let complexity = count(&load(name));
-        let (median, max) = (complexity.percentile(0.5), complexity.max());
-        println!("{name}: median {median}, at most {max}");
-        assert!(complexity.covered() > 1000, "{name}");
-        assert!(
-            falls_steeply(&complexity),
-            "{name}: median {median}, at most {max}"
-        );
+        let mut scene = load(name);
+        for part in [2, 3] {
+            let complexity = count(&scene);
+            let (median, max) = (complexity.percentile(0.5), complexity.max());
+            let what = format!("{name}: median {median}, at most {max}");
+            println!("{what}");
+            assert!(complexity.covered() > 1000, "{name}");
+            assert!(falls(&complexity, part), "{what}");
+            scene.volumes.clear();
+        }
     }
 }
 
@@ -67,5 +71,5 @@ fn a_stack_that_is_as_deep_everywhere_does_not_fall() {
         ..Quads::default()
     })
     .unwrap();
-    assert!(!falls_steeply(&count(&Scene::of("stack", vec![stack]))));
+    assert!(!falls(&count(&Scene::of("stack", vec![stack])), 2));
 }
