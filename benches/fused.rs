@@ -2,7 +2,7 @@
 //! on four scenes after the paper's. Times relative to the same manager's static array, medians from one run; no figure of
 //! the paper's GPUs is to be compared with them. As in the paper linked lists take their nodes from a pool, with atomics.
 //!
-//! `cargo bench --bench fused [WIDTH HEIGHT]`, 480 x 360 if no size is named, writes `out/figure-6.svg` and `.png`.
+//! `cargo bench --bench fused [WIDTH HEIGHT]`, 320 x 240 if no size is named, writes `out/figure-6.svg` and `.png`.
 
 use std::path::Path;
 
@@ -20,7 +20,7 @@ fn main() -> Result<()> {
     let sizes: Vec<u32> = std::env::args().filter_map(|a| a.parse().ok()).collect();
     let size = match sizes[..] {
         [width, height] => [width, height],
-        _ => [480, 360],
+        _ => [320, 240],
     };
     let context = Context::headless()?;
     println!("{} at {} x {}", context.driver().renderer, size[0], size[1]);
@@ -80,9 +80,10 @@ fn combinations(renderer: &mut Renderer<'_>, scene: &Scene) -> Result<Vec<(Strin
             let base = *of_static.get_or_insert(stats.ms);
             let ratio = stats.ms / base;
             println!(
-                "{:<18} {ratio:5.2} of static, {:8.1} ms",
+                "{:<18} {ratio:5.2} of static, {:8.1} ms, {} fragments lost",
                 method.to_string(),
-                stats.ms
+                stats.ms,
+                stats.lost.unwrap_or(0)
             );
             measured.push((method.to_string(), ratio));
         }
