@@ -32,6 +32,13 @@ fn render(context: &Context, scene: &Scene, options: ABufferOptions) -> Frame {
     renderer.render(scene, &Method::ABuffer(options)).unwrap()
 }
 
+fn refusal(context: &Context, scene: &Scene) -> String {
+    let [width, height] = scene.size;
+    let mut renderer = Renderer::new(context, width, height).unwrap();
+    let refused = renderer.render(scene, &Method::ABuffer(DFB));
+    refused.unwrap_err().to_string()
+}
+
 #[test]
 fn l16_fog_and_a_pane_follow_the_closed_form() {
     let context = Context::headless().unwrap();
@@ -268,12 +275,7 @@ fn l16_sixteen_volumes_at_once_and_no_more_than_there_are_bits() {
     let (_, worst) = compare(&frame, &exact(&context, &scene), &scene);
     assert!(worst < BOUND, "{worst}");
     scene.volumes = vec![scene.volumes[1].clone(); 33];
-    let [width, height] = scene.size;
-    let mut renderer = Renderer::new(&context, width, height).unwrap();
-    let refused = renderer
-        .render(&scene, &Method::ABuffer(DFB))
-        .unwrap_err()
-        .to_string();
+    let refused = refusal(&context, &scene);
     assert!(
         refused.contains("33 volumes") && refused.contains("32"),
         "{refused}"
@@ -362,12 +364,7 @@ fn so_many_samples_that_the_driver_would_lose_some_are_refused() {
         return;
     }
     let scene = fog_and_pane(5.0, 0.3, 0.4, 0.0001);
-    let [width, height] = scene.size;
-    let mut renderer = Renderer::new(&context, width, height).unwrap();
-    let refused = renderer
-        .render(&scene, &Method::ABuffer(DFB))
-        .unwrap_err()
-        .to_string();
+    let refused = refusal(&context, &scene);
     assert!(
         refused.contains("samples") && refused.contains("step"),
         "{refused}"
