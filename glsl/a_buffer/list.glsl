@@ -9,11 +9,12 @@ uint list_length() {
 }
 
 #if MANAGER == FFB
+#include "a_buffer/fixed.glsl"
 uint list_first() {
-    return pixel() * band.layers;
+    return fixed_first();
 }
 uint list_next(uint at) {
-    return at + 1u;
+    return at + fixed_stride();
 }
 #elif MANAGER == DFB
 layout(std430, binding = 2) readonly buffer Offsets {

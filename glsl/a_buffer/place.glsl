@@ -7,8 +7,9 @@
 // then lie side by side, and its links say what the offsets say.
 
 #if MANAGER == FFB
+#include "a_buffer/fixed.glsl"
 uint place(uint count) {
-    return count < band.layers ? pixel() * band.layers + count : band.capacity;
+    return count < band.layers ? fixed_first() + count * fixed_stride() : band.capacity;
 }
 #else
 layout(std430, binding = 2) readonly buffer Offsets {

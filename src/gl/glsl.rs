@@ -36,6 +36,10 @@ const FILES: &[(&str, &str)] = &[
         include_str!("../../glsl/a_buffer/fill_ordered.frag"),
     ),
     (
+        "a_buffer/fixed.glsl",
+        include_str!("../../glsl/a_buffer/fixed.glsl"),
+    ),
+    (
         "a_buffer/list.glsl",
         include_str!("../../glsl/a_buffer/list.glsl"),
     ),
