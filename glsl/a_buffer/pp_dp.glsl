@@ -2,34 +2,19 @@
 // not been resolved yet, again and again.
 //
 // As printed, "not yet resolved" is told by depth alone, so that of several fragments of equal depth those that did not
-// fit into the buffer are skipped in the next pass, and what lies at depth 0 is skipped always. Amended, the id decides
-// between equal depths (errata L1, L4). Either way a pass that did not overflow is the last (L3).
+// fit into the buffer are skipped in the next pass, and what lies at depth 0 is skipped always. Amended, the
+// order of submission decides between equal depths (errata L1, L4). Either way a pass that did not overflow is the last
+// (L3).
 
 // Inserts with insertion sort. Stores at most N elements, drops the last element on overflow.
 void insert(double key_f, uint place_f) {
 #if INSERTION
-    if (!(key_f < key[N - 1])) {
-        return;
+    if (key_f < key[N - 1]) {
+        insert_before(N - 1, key_f, place_f);
     }
-    int hole = N - 1;
-    while (hole > 0 && key_f < key[hole - 1]) {
-        key[hole] = key[hole - 1];
-        place_of[hole] = place_of[hole - 1];
-        --hole;
-    }
-    key[hole] = key_f;
-    place_of[hole] = place_f;
 #else
     // The same with constant indices: what is inserted pushes everything behind it one place on.
-#define P(k) { \
-    bool swap = key_f < key[k]; \
-    double behind = swap ? key[k] : key_f; \
-    key[k] = swap ? key_f : key[k]; \
-    key_f = behind; \
-    uint place = swap ? place_of[k] : place_f; \
-    place_of[k] = swap ? place_f : place_of[k]; \
-    place_f = place; \
-}
+#define P(k) COMPARE(key[k], place[k], key_f, place_f)
 #include "a_buffer/elements"
 #endif
 }
@@ -43,7 +28,7 @@ uint take(uint at, bool there) {
         return at;
     }
     uvec4 head = list_head(at);
-    double key_f = key_of(head);
+    double key_f = key_of(head, at);
 #if AS_PRINTED
     bool skip = depth_of(key_f) <= (min_key == 0.0LF ? 0.0 : depth_of(min_key));
 #else

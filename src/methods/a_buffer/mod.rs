@@ -101,7 +101,7 @@ impl ABuffer {
     }
 
     /// What the shaders are compiled with.
-    fn constants(&self, insertion: bool) -> Vec<(&'static str, u32)> {
+    fn constants(&self, machine: &GlMachine<'_>, insertion: bool) -> Vec<(&'static str, u32)> {
         let options = &self.options;
         let yes = u32::from;
         let mut constants = self.volumes.to_vec();
@@ -110,6 +110,8 @@ impl ABuffer {
             ("DFB", Manager::Dfb as u32),
             ("PPLL", Manager::Ppll as u32),
             ("MANAGER", options.manager as u32),
+            // Ordered fragments leave lists in the order of submission.
+            ("IN_ORDER", yes(self.ordered(machine))),
             ("FLOAT_COLOR", yes(options.color == RecordColor::Float)),
             ("TERMINATION", options.termination.to_bits()),
             ("AS_PRINTED", yes(options.as_printed)),
@@ -150,7 +152,12 @@ impl Algorithm for ABuffer {
         machine.target_of(paper::COUNT, &[paper::COMPLEXITY], Some(depth))?;
         let lists = [paper::COUNTER, paper::ANCHOR];
         machine.target_of(paper::CLEARED, &lists, Some(depth))?;
-        let inouts: &[_] = if self.ordered(machine) { &lists } else { &[] };
+        // What is attached costs time, written or not.
+        let inouts: &[_] = match (self.ordered(machine), self.options.manager) {
+            (false, _) => &[],
+            (true, Manager::Ffb | Manager::Dfb) => &[paper::COUNTER],
+            (true, Manager::Ppll) => &lists,
+        };
         machine.target_of(paper::FILL, inouts, Some(depth))?;
         machine.target_of(paper::RESOLVED, &[IMAGE, paper::COST], Some(depth))
     }
@@ -166,7 +173,12 @@ impl Algorithm for ABuffer {
         )?;
         self.complexity = machine.read_counts(paper::COMPLEXITY)?;
         let width = machine.size()[0];
-        let bands = bands(&self.complexity, width, &self.options, self.room(machine))?;
+        let bands = bands(
+            &self.complexity,
+            width,
+            &self.options,
+            self.room(machine),
+        )?;
         if !scene.volumes.is_empty() {
             run(&paper::OPAQUE_ENDS_RAYS, &[], Variables::new(), machine)?;
             machine.bind_volumes()?;
@@ -268,7 +280,7 @@ impl ABuffer {
         };
         let insertion =
             insertion && (!options.pp_dp || loops::insertion_fits(renderer, band.layers));
-        machine.set_constants(&self.constants(insertion));
+        machine.set_constants(&self.constants(machine, insertion));
         let mut fill = Vec::new();
         if self.ordered(machine) {
             fill.push(paper::ORDERED);
