@@ -30,7 +30,8 @@ fn main() -> onionskin::Result<()> {
     ] {
         let options = ABufferOptions {
             manager,
-            budget: in_bands.then_some(fixed_bytes / 2),
+            // Without one, bands may be cut for speed.
+            budget: Some(if in_bands { fixed_bytes / 2 } else { u64::MAX }),
             ..ABufferOptions::default()
         };
         let frame = renderer.render(&scene, &Method::ABuffer(options))?;

@@ -190,6 +190,7 @@ fn l08_a_layer_of_a_fixed_buffer_takes_12_6_megabytes_which_are_12_mebibytes() {
     let mut renderer = Renderer::new(&context, 1024, 768).unwrap();
     let fixed = ABufferOptions {
         manager: Manager::Ffb,
+        budget: Some(u64::MAX),
         ..ABufferOptions::DEFAULT
     };
     let (_, counts) = render(&mut renderer, &scene, fixed);

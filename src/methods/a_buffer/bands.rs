@@ -51,16 +51,35 @@ impl Band {
     }
 }
 
-/// What the lists may take: bytes in all, and records in one buffer.
+/// What the lists may take.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Room {
-    /// Bytes of all lists of a band together.
+    /// Bytes of all lists of a band together. What a single row needs beyond that is refused.
     pub bytes: u64,
-    /// Records of a band.
+    /// Records of a band, all in one buffer; as `bytes`.
     pub records: u64,
+    /// Bytes of a band that has more than one row.
+    pub quick: u64,
 }
 
-/// Cuts an image into bands, as few as fit. `counts` are the pixels' complexities, row by row from the bottom.
+impl Room {
+    /// Bytes for bands that are rendered quickly, by a rasterizer that runs on the CPU.
+    ///
+    /// Llvmpipe bins all triangles of a band, then draws tile by tile; with lists of 8 MiB, what a tile needs of them stays in
+    /// a core's cache. On 64 quads that took three quarters of the time that 128 MiB took. But every band processes the
+    /// whole geometry again. With 128 fragments to every triangle that is worth it several times over, and where there
+    /// are less, the bands are larger.
+    pub fn quick(renderer: &str, triangles: u64, record_bytes: u64) -> u64 {
+        const CACHED: u64 = 8 << 20;
+        const FRAGMENTS_PER_TRIANGLE: u64 = 128;
+        match renderer.contains("llvmpipe") {
+            true => CACHED.max(FRAGMENTS_PER_TRIANGLE * triangles * record_bytes),
+            false => u64::MAX,
+        }
+    }
+}
+
+/// Cuts an image into bands, as few as there is room for. `counts` are the pixels' complexities, row by row from the bottom.
 ///
 /// # Errors
 /// If a single row does not fit.
@@ -74,6 +93,7 @@ pub fn bands(
         band.bytes(options, width) <= room.bytes
             && band.records(options.manager, width) <= room.records
     };
+    let is_quick = |band: &Band| band.bytes(options, width) <= room.quick;
     let mut bands: Vec<Band> = Vec::new();
     for (row, counts) in counts.chunks_exact(width as usize).enumerate() {
         let row = Band {
@@ -86,7 +106,9 @@ pub fn bands(
             return Err(too_large(&row, width, options, room));
         }
         match bands.last_mut() {
-            Some(band) if fits(&band.with(row)) => *band = band.with(row),
+            Some(band) if fits(&band.with(row)) && is_quick(&band.with(row)) => {
+                *band = band.with(row);
+            }
             _ => bands.push(row),
         }
     }
@@ -121,6 +143,7 @@ mod tests {
     const NO_LIMIT: Room = Room {
         bytes: u64::MAX,
         records: u64::MAX,
+        quick: u64::MAX,
     };
 
     fn options(manager: Manager) -> ABufferOptions {
@@ -165,7 +188,7 @@ mod tests {
                 let counts: Vec<u32> = (0..width * rows).map(|_| random() % 5).collect();
                 let room = Room {
                     bytes: 700 + u64::from(random() % 2000),
-                    records: u64::MAX,
+                    ..NO_LIMIT
                 };
                 let Ok(bands) = bands(&counts, width, &options, room) else {
                     let row = 4 * u64::from(width) * options.record_bytes() + 200;
@@ -198,10 +221,29 @@ mod tests {
     }
 
     #[test]
+    fn a_row_is_not_refused_for_being_slow() {
+        let room = Room {
+            quick: 300,
+            ..NO_LIMIT
+        };
+        let counts = [0, 9, 9, 9, 0, 1, 1, 1];
+        let bands = bands(&counts, 2, &options(Manager::Ffb), room).unwrap();
+        let rows: Vec<_> = bands.iter().map(|band| band.rows).collect();
+        assert_eq!(rows, [1, 1, 2]);
+    }
+
+    #[test]
+    fn few_triangles_come_in_many_bands_and_many_in_few() {
+        assert_eq!(Room::quick("llvmpipe (LLVM 15)", 128, 16), 8 << 20);
+        assert_eq!(Room::quick("llvmpipe (LLVM 15)", 100_000, 16), 204_800_000);
+        assert_eq!(Room::quick("a GPU", 128, 16), u64::MAX);
+    }
+
+    #[test]
     fn a_row_that_does_not_fit_is_refused_with_the_numbers() {
         let room = Room {
             bytes: 100,
-            records: u64::MAX,
+            ..NO_LIMIT
         };
         let refused = bands(&[0, 9], 2, &options(Manager::Ffb), room).unwrap_err();
         let text = refused.to_string();

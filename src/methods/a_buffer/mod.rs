@@ -87,16 +87,20 @@ impl ABuffer {
                 .has("GL_EXT_shader_framebuffer_fetch")
     }
 
-    fn room(&self, machine: &GlMachine<'_>) -> Room {
+    fn room(&self, machine: &GlMachine<'_>, scene: &Scene) -> Room {
         let words = match self.options.color {
             RecordColor::Half => 16,
             RecordColor::Float => 32,
         };
         let largest = largest_storage(machine.context(), Texels::Rgba32Ui) / words;
         let links = largest_storage(machine.context(), Texels::R32Ui) / 4;
+        let renderer = &machine.context().driver().renderer;
+        let triangles = scene.triangle_count() as u64;
+        let quick = || Room::quick(renderer, triangles, self.options.record_bytes());
         Room {
             bytes: self.options.budget.unwrap_or(u64::MAX),
             records: largest.min(links),
+            quick: self.options.budget.unwrap_or_else(quick),
         }
     }
 
@@ -177,7 +181,7 @@ impl Algorithm for ABuffer {
             &self.complexity,
             width,
             &self.options,
-            self.room(machine),
+            self.room(machine, scene),
         )?;
         if !scene.volumes.is_empty() {
             run(&paper::OPAQUE_ENDS_RAYS, &[], Variables::new(), machine)?;

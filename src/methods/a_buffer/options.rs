@@ -81,8 +81,8 @@ pub struct ABufferOptions {
     pub color: RecordColor,
     /// A ray ends when less light than this comes through, 0 to 1. 0, the default, is exact; the paper has 0.02.
     pub termination: f32,
-    /// The most bytes that fragment lists may take; the driver's limits if it is none. What does not fit is rendered in
-    /// horizontal bands.
+    /// The most bytes that fragment lists may take. What does not fit is rendered in horizontal bands. If it is none: as many
+    /// as the driver has room for and renders quickly ([`Room::quick`](super::Room::quick)).
     pub budget: Option<u64>,
     /// ppAO masked by the stencil buffer and ppDP by depth alone, with nothing amended.
     pub as_printed: bool,
