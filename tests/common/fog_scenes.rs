@@ -29,7 +29,7 @@ pub fn fog_and_pane(eye: f64, pane: f32, alpha: f32, step: f64) -> Scene {
     let pane = quads(&Quads {
         count: 1,
         size: [20.0; 2],
-        depths: vec![0.5],
+        depths: vec![0.0],
         colors: vec![[0.0, 0.0, 1.0]],
         alpha,
         ..Quads::default()
