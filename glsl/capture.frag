@@ -1,7 +1,7 @@
 #version 430 core
 // Every fragment, into a list of which only the order of submission matters: the list itself is unordered.
 
-vec4 surface_color();    // surface/unlit.frag or surface/lit.frag
+vec4 surface_color();    // surface/unlit.frag, lit.frag or slice.frag
 
 layout(early_fragment_tests) in;
 uniform uint first_triangle;

@@ -1,7 +1,7 @@
 #version 430 core
 // One for each fragment, to be added up by blending.
 
-vec4 surface_color();    // surface/unlit.frag or surface/lit.frag: it completes the program, and is not asked
+vec4 surface_color();    // surface/unlit.frag, lit.frag or slice.frag: it completes the program, and is not asked
 
 out vec4 color;
 

@@ -3,7 +3,7 @@
 // another in the order in which they come. Depth unit 0 holds the opaque depth: a pixel that has been finished has it in
 // depth unit 1 too, and what lies exactly on an opaque surface is hidden by it.
 
-vec4 surface_color();    // surface/unlit.frag or surface/lit.frag
+vec4 surface_color();    // surface/unlit.frag, lit.frag or slice.frag
 
 layout(binding = 0) uniform sampler2DShadow depth_unit_0;
 

@@ -2,7 +2,7 @@
 // A surface behind the layers peeled so far (Everitt 2001, "Shadow Mapping as Depth Test"): depth unit 0 is a shadow
 // map with the camera's own orientation and resolution, and its comparison is the sampler's.
 
-vec4 surface_color();    // surface/unlit.frag or surface/lit.frag
+vec4 surface_color();    // surface/unlit.frag, lit.frag or slice.frag
 
 layout(binding = 0) uniform sampler2DShadow depth_unit_0;
 

@@ -1,7 +1,7 @@
 #version 430 core
 // A surface as it is: opaque geometry, and the methods that blend.
 
-vec4 surface_color();    // surface/unlit.frag or surface/lit.frag
+vec4 surface_color();    // surface/unlit.frag, lit.frag or slice.frag
 
 out vec4 color;
 

@@ -43,8 +43,59 @@ fn compare_takes_of_all_methods_those_that_can() {
     let a_buffers = ["ffb", "dfb", "ppll"].into_iter().flat_map(|manager| {
         ["", "+ppao", "+ppdp", "+ppao+ppdp"].map(|local| format!("{manager}{local}"))
     });
-    let able: Vec<_> = a_buffers.chain(["exact".into()]).collect();
+    let able = a_buffers.chain(["exact".into()]);
+    let able: Vec<_> = ["hybrid-layer-peeling".into()]
+        .into_iter()
+        .chain(able)
+        .collect();
     assert_eq!(methods, able);
+}
+
+#[test]
+fn slices_are_as_many_as_asked_for_and_more_methods_take_them() {
+    let desk = Desk::new().with("scene.toml", SCENE);
+    let answer = desk.run(&["compare", "scene.toml", "--json", "--slices", "9"]);
+    let objects = answer.objects();
+    let sliced = objects
+        .iter()
+        .filter(|object| object.contains_key("slices"));
+    let sliced: Vec<_> = sliced
+        .map(|object| (object["method"].clone(), object["slices"].clone()))
+        .collect();
+    let painter = ("painter".into(), 9.into());
+    assert!(sliced.len() > 6 && sliced.contains(&painter), "{sliced:?}");
+    let hybrid = ["render", "scene.toml", "-m", "hybrid-layer-peeling", "-o"];
+    let rendered = |more: &[&str]| {
+        let rest = ["image.png", "--json"].iter().chain(more);
+        let arguments: Vec<_> = hybrid.iter().chain(rest).copied().collect();
+        desk.run(&arguments).objects()[0]["slices"].clone()
+    };
+    assert_eq!(rendered(&[]), 256);
+    assert_eq!(rendered(&["--slices", "9"]), 9);
+}
+
+#[test]
+fn slices_that_make_no_sense_are_refused() {
+    let desk = Desk::new().with("scene.toml", SCENE);
+    let render = |method, slices| {
+        desk.refused(&[
+            "render",
+            "scene.toml",
+            "-m",
+            method,
+            "-o",
+            "image.png",
+            "--slices",
+            slices,
+        ])
+    };
+    for slices in ["0", "65537", "many", "1.5", "99999999999999999999"] {
+        render("hybrid-layer-peeling", slices).says(&[slices, "1 to 65536"]);
+    }
+    render("dfb", "9").says(&["dfb casts rays", "--slices"]);
+    render("blend", "9").says(&["blend", "order of submission"]);
+    desk.refused(&["compare", "scene.toml", "-m", "painter"])
+        .says(&["painter draws surfaces only", "--slices N"]);
 }
 
 #[test]

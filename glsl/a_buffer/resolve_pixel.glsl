@@ -7,7 +7,6 @@
 #include "a_buffer/list.glsl"
 #include "a_buffer/ray.glsl"
 #if VOLUMES
-#include "a_buffer/volume.glsl"
 #include "a_buffer/volume_ray.glsl"
 #endif
 #include "a_buffer/local_array.glsl"

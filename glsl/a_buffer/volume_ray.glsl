@@ -2,17 +2,15 @@
 // occupancy is tracked through a bitmask which is updated every time a fragment of a volume proxy geometry is
 // encountered" (Lindholm et al. 2015, section 6.1). The ray's position and its occupancy outlive a subpass of ppDP
 // (section 5.2).
-//
-// Positions are distances along the view direction, the near plane's at first.
+
+#include "common/view_ray.glsl"
 
 layout(binding = 5) uniform sampler2D opaque;
 
 uint occupancy = 0u;                // bit i: the ray is inside of volume i
 uint entered = 0u;                  // bit i: the list has a fragment where volume i is entered
 uint left_again = 0u;               // bit i: and one where it is left
-float ray_distance = frustum.x;     // up to where the ray has been cast
-vec2 toward = 2.0 * gl_FragCoord.xy / size.xy - 1.0;
-float slant = length(vec3(toward * frustum.zw, 1.0));    // the ray's length over a distance of 1
+float ray_distance = frustum.x;     // up to where the ray has been cast, at first the near plane
 
 // Where the ray begins, the list itself says: inside of what it leaves without having entered it.
 void look_for_beginning(uint id) {
@@ -27,19 +25,6 @@ void begin_ray() {
     occupancy = left_again & ~entered;
 }
 
-// A difference of two nearly equal products, so doubles.
-float distance_of(float depth) {
-    double near = double(frustum.x);
-    double far = double(frustum.y);
-    return float(near * far / (far - double(depth) * (far - near)));
-}
-
-// 1 - exp(-x), which for small x float's exp has no digits for.
-float opacity_of(float x) {
-    float small = x * (1.0 - x / 2.0 * (1.0 - x / 3.0 * (1.0 - x / 4.0 * (1.0 - x / 5.0 * (1.0 - x / 6.0)))));
-    return x < 0.25 ? small : 1.0 - exp(-x);
-}
-
 // The smallest sampling distance of the volumes that the ray is inside of.
 float sampling_distance() {
     float smallest = 1.0 / 0.0;
@@ -47,15 +32,6 @@ float sampling_distance() {
 #include "a_buffer/each_volume"
 #undef V
     return smallest;
-}
-
-// All volumes together: colour x density, and density.
-vec4 media_at(float distance) {
-    vec4 media = vec4(0.0);
-#define V(i) if ((occupancy >> i & 1u) != 0u) { media += medium_at(i, samples[i], toward, distance); }
-#include "a_buffer/each_volume"
-#undef V
-    return media;
 }
 
 void composite_media(vec4 media, float thickness) {
@@ -76,7 +52,7 @@ void cast_ray(float depth) {
         for (uint number = 1u; from < thickness && !ray_ended(); ++number) {
             float to = min(float(number) * step_length, thickness);
             float middle = ray_distance + (from + to) / (2.0 * slant);
-            composite_media(media_at(middle), to - from);
+            composite_media(media_at(occupancy, middle), to - from);
             from = to;
         }
     }

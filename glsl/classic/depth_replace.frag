@@ -2,7 +2,7 @@
 // The same with NV_texture_shader's DOT_PRODUCT_DEPTH_REPLACE: the depth that is tested and stored is not the
 // rasteriser's.
 
-vec4 surface_color();    // surface/unlit.frag or surface/lit.frag: the primary colour
+vec4 surface_color();    // surface/unlit.frag, lit.frag or slice.frag: the primary colour
 
 #include "classic/textures.glsl"
 #include "classic/texture_environment.glsl"

@@ -1,7 +1,7 @@
 #version 430 core
 // The fixed functions of 2001 after the rasteriser: texture environment, alpha test.
 
-vec4 surface_color();    // surface/unlit.frag or surface/lit.frag: the primary colour
+vec4 surface_color();    // surface/unlit.frag, lit.frag or slice.frag: the primary colour
 
 #include "classic/textures.glsl"
 #include "classic/texture_environment.glsl"

@@ -1,7 +1,7 @@
 // The depth range that a pass of coherent or hybrid layer peeling is clipped to, from maps of the image's size: what
 // lies before it has been composited, and it ends at the nearest of three depths. A pass with fewer ends binds one twice.
 
-vec4 surface_color();    // surface/unlit.frag or surface/lit.frag
+vec4 surface_color();    // surface/unlit.frag, lit.frag or slice.frag
 
 layout(binding = 1) uniform sampler2D lower;
 layout(binding = 2) uniform sampler2D upper;

@@ -1,6 +1,6 @@
 // Algorithm 2's 'Composite fragment into color buffer', front to back.
 
-vec4 surface_color();    // surface/unlit.frag or surface/lit.frag
+vec4 surface_color();    // surface/unlit.frag, lit.frag or slice.frag
 
 void composite_fragment() {
     vec4 straight = surface_color();

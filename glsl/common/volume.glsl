@@ -10,7 +10,8 @@ struct Place {
 
 layout(std140, binding = 1) uniform Volumes {
     vec4 frustum;    // near, far; half the image's width and height at a distance of 1
-    vec4 size;       // the image's width and height in pixels
+    vec2 size;       // the image's width and height in pixels
+    float slice_spacing;    // from slice to slice, where volumes are drawn as slices
     Place places[VOLUMES];
 };
 layout(binding = 7) uniform sampler3D samples[VOLUMES];
@@ -55,10 +56,24 @@ vec4 medium_of(int volume, float value) {
     return vec4(color * density, density);
 }
 
-// Of volume i, on the ray towards `toward` (the image's borders are -1 and 1) at a distance along the view direction.
+// Where the ray towards `toward` (the image's borders are -1 and 1) is at a distance along the view direction, in a
+// volume's indices.
+vec3 index_at(Place place, vec2 toward, float distance) {
+    vec3 direction = place.forward.xyz + place.right.xyz * toward.x + place.up.xyz * toward.y;
+    return place.eye.xyz + direction * distance;
+}
+
+vec3 last_index(Place place) {
+    return vec3(place.right.w, place.up.w, place.forward.w);
+}
+
+bool is_inside(Place place, vec2 toward, float distance) {
+    vec3 index = index_at(place, toward, distance);
+    return all(greaterThanEqual(index, vec3(0.0))) && all(lessThanEqual(index, last_index(place)));
+}
+
+// Of volume i, at a place on the ray.
 vec4 medium_at(int i, sampler3D lattice, vec2 toward, float distance) {
     Place place = places[i];
-    vec3 direction = place.forward.xyz + place.right.xyz * toward.x + place.up.xyz * toward.y;
-    vec3 last = vec3(place.right.w, place.up.w, place.forward.w);
-    return medium_of(i, value_at(lattice, place.eye.xyz + direction * distance, last));
+    return medium_of(i, value_at(lattice, index_at(place, toward, distance), last_index(place)));
 }

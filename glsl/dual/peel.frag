@@ -3,7 +3,7 @@
 // been peeled; one at the nearest goes to the front, one at the farthest to the back, and those in between say where
 // the next peel is. Whoever has nothing for a target adds what its blending ignores.
 
-vec4 surface_color();    // surface/unlit.frag or surface/lit.frag
+vec4 surface_color();    // surface/unlit.frag, lit.frag or slice.frag
 
 #include "common/dual.glsl"
 

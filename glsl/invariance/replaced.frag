@@ -1,7 +1,7 @@
 #version 430 core
 // A surface behind the layers peeled so far; the depth that is stored is computed as r/q (Everitt's depth replace).
 
-vec4 surface_color();    // surface/unlit.frag or surface/lit.frag
+vec4 surface_color();    // surface/unlit.frag, lit.frag or slice.frag
 
 #include "invariance/compare.glsl"
 

@@ -13,6 +13,7 @@ use super::progress::Progress;
 use super::record::Record;
 use super::render::loss;
 use super::setup::Setup;
+use super::slices::Slices;
 
 /// How many frames a time is the median of.
 pub(super) const FRAMES: usize = 5;
@@ -32,6 +33,8 @@ pub(super) const FRAMES: usize = 5;
 pub(super) struct Compare {
     #[command(flatten)]
     setup: Setup,
+    #[command(flatten)]
+    slices: Slices,
     /// Methods, separated by commas, or all; `onionskin methods` describes them
     #[arg(short, long, value_name = "METHODS", default_value = "all")]
     method: String,
@@ -52,13 +55,14 @@ impl Compare {
         let mut methods = self.methods()?;
         let scene = self.setup.scene()?;
         if self.method == "all" && !scene.volumes.is_empty() {
-            methods.retain(Method::renders_volumes);
+            let sliced = self.slices.is_given();
+            methods.retain(|m| m.renders_volumes() || sliced && m.takes_slices());
         }
         let context = self.setup.gl.context()?;
         if self.method == "all" {
             methods.retain(|method| runs_here(method, &context));
         }
-        let mut renderer = self.setup.renderer(&context, &scene)?;
+        let mut renderer = self.slices.told(self.setup.renderer(&context, &scene)?)?;
         let progress = Progress::new(methods.len() as u64 + 1, "exact");
         let exact = renderer.render(&scene, &Method::Exact)?;
         progress.part_done();

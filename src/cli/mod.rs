@@ -16,6 +16,7 @@ mod progress;
 mod record;
 mod render;
 mod setup;
+mod slices;
 
 use std::process::ExitCode;
 

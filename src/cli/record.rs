@@ -17,6 +17,8 @@ pub(super) struct Record<'a> {
     stopped: String,
     depth_peeling: String,
     bytes: u64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    slices: Option<u32>,
     #[serde(flatten)]
     a_buffer: Option<Lists>,
     ms: f64,
@@ -65,6 +67,7 @@ impl<'a> Record<'a> {
             stopped: stats.stopped_text(),
             depth_peeling: stats.peeling.to_string(),
             bytes: stats.bytes,
+            slices: stats.slices,
             a_buffer: stats.a_buffer.as_ref().map(Lists::new),
             ms: stats.ms,
             max_error: error.max,

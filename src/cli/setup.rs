@@ -28,7 +28,7 @@ pub(super) const SCENE_FILES: &str = r#"Scene files:
   opacity = 0.4                   # 1 is opaque
   shading = "none"                # none (flat unlit colour), flat, lit, two-sided
 
-  [[volume]]                      # rendered by ffb, dfb, ppll and exact
+  [[volume]]                      # by ffb, dfb, ppll, exact; as slices by peeling
   file = "volume.nhdr"            # .nrrd, .nhdr, .nii, .nii.gz, .vti
   step = 0.5                      # sampling distance in voxels
   transfer = [                    # linear between values; density is extinction per unit of length

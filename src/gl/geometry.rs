@@ -4,7 +4,7 @@ use glam::{DMat4, DVec2, DVec3, Mat4, Vec3};
 use glow::HasContext;
 
 use super::context::Context;
-use super::program::Program;
+use super::program::Surfaces;
 use crate::error::{Error, Result};
 use crate::fragment::Rgba;
 use crate::scene::{Mesh, Scene, Shading, Vertex, Volume};
@@ -173,9 +173,8 @@ impl<'c> Geometry<'c> {
         })
     }
 
-    /// Draws with the program for unlit surfaces and the one for lit ones, changing between them as the meshes ask.
-    /// Returns whether there was anything to draw.
-    pub(super) fn draw(&self, unlit: &Program, lit: &Program, objects: Objects) -> bool {
+    /// Draws, changing between the programs as the meshes' shading asks. Returns whether there was anything to draw.
+    pub(super) fn draw(&self, surfaces: &Surfaces, objects: Objects) -> bool {
         let gl = self.context.glow();
         let view_projection = self.view_projection.to_cols_array();
         let mut current = None;
@@ -184,13 +183,12 @@ impl<'c> Geometry<'c> {
             if !mesh.is_among(objects) {
                 continue;
             }
-            let is_lit = mesh.shading != Shading::None;
-            let program = if is_lit { lit } else { unlit };
+            let program = surfaces.of(mesh.shading);
             // SAFETY: the context is current; every index is below the number of vertices, which `Uploaded::new`
             // checked; the locations are this program's, and GL ignores a uniform that a program does not have.
             unsafe {
-                if current != Some(is_lit) {
-                    current = Some(is_lit);
+                if current != Some(program.raw) {
+                    current = Some(program.raw);
                     gl.use_program(Some(program.raw));
                     gl.uniform_matrix_4_f32_slice(
                         program.view_projection.as_ref(),

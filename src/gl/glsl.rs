@@ -108,10 +108,6 @@ const FILES: &[(&str, &str)] = &[
         include_str!("../../glsl/a_buffer/source.glsl"),
     ),
     (
-        "a_buffer/volume.glsl",
-        include_str!("../../glsl/a_buffer/volume.glsl"),
-    ),
-    (
         "a_buffer/volume_ray.glsl",
         include_str!("../../glsl/a_buffer/volume_ray.glsl"),
     ),
@@ -175,6 +171,14 @@ const FILES: &[(&str, &str)] = &[
     (
         "common/layer.glsl",
         include_str!("../../glsl/common/layer.glsl"),
+    ),
+    (
+        "common/view_ray.glsl",
+        include_str!("../../glsl/common/view_ray.glsl"),
+    ),
+    (
+        "common/volume.glsl",
+        include_str!("../../glsl/common/volume.glsl"),
     ),
     (
         "complexity.frag",
@@ -277,6 +281,10 @@ const FILES: &[(&str, &str)] = &[
     (
         "surface/lit.frag",
         include_str!("../../glsl/surface/lit.frag"),
+    ),
+    (
+        "surface/slice.frag",
+        include_str!("../../glsl/surface/slice.frag"),
     ),
     (
         "surface/unlit.frag",

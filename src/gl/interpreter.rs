@@ -55,7 +55,7 @@ impl Machine for GlMachine<'_> {
 impl GlMachine<'_> {
     fn use_program(&mut self, shader: Shader, size: Option<(&'static str, u32)>) -> Result<()> {
         let gl = self.context.glow();
-        let key = ProgramKey::new(shader, &self.constants, size);
+        let key = ProgramKey::new(shader, &self.constants, size, self.slices);
         if let Entry::Vacant(place) = self.programs.entry(key.clone()) {
             let linked = Linked::new(gl, place.key())?;
             place.insert(linked);
@@ -178,7 +178,7 @@ impl GlMachine<'_> {
                 self.scissor_to_band();
             }
             (
-                Linked::Surface { unlit, lit },
+                Linked::Surface(surfaces),
                 Objects::Scene
                 | Objects::Opaque
                 | Objects::Transparent
@@ -196,7 +196,7 @@ impl GlMachine<'_> {
                     .geometry
                     .as_ref()
                     .ok_or_else(no_scene)?
-                    .draw(unlit, lit, objects);
+                    .draw(surfaces, objects);
                 if drawn && !matches!(objects, Objects::Opaque | Objects::Proxies) {
                     self.counts.geometry_passes += 1;
                 }

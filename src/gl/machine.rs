@@ -11,7 +11,7 @@ use super::program::{Linked, ProgramKey};
 use super::scan::ScanPrograms;
 use super::storage::StorageBuffer;
 use super::texture::Texture;
-use super::volumes::VolumeTextures;
+use super::volumes::{self, VolumeTextures};
 use crate::error::{Error, Result};
 use crate::steps::{Format, Map, Query, Storage, Target, Workspace};
 
@@ -38,6 +38,8 @@ pub struct GlMachine<'c> {
     pub(super) no_attributes: glow::VertexArray,
     pub(super) geometry: Option<Geometry<'c>>,
     pub(super) volumes: Option<VolumeTextures<'c>>,
+    /// What the programs of slices are compiled with, if any are drawn.
+    pub(super) slices: Option<volumes::Constants>,
     /// Linked when a scan is first asked for.
     pub(super) scan: Option<ScanPrograms>,
     pub(super) current: Option<ProgramKey>,
@@ -107,6 +109,7 @@ impl<'c> GlMachine<'c> {
             no_attributes,
             geometry: None,
             volumes: None,
+            slices: None,
             scan: None,
             current: None,
             band: None,
@@ -244,8 +247,9 @@ impl<'c> GlMachine<'c> {
         }
     }
 
-    /// Lets go of every map, buffer and framebuffer.
+    /// Lets go of every map, buffer, framebuffer and volume.
     pub fn free_every_map(&mut self) {
+        (self.volumes, self.slices) = (None, None);
         let gl = self.context.glow();
         // SAFETY: the objects are the machine's own and leave its tables here.
         unsafe {

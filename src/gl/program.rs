@@ -3,7 +3,9 @@
 use glow::HasContext;
 
 use super::glsl::Source;
+use super::volumes::Constants;
 use crate::error::{Error, Result};
+use crate::scene::Shading;
 use crate::steps::Shader;
 
 /// A linked program. Deleted by its owner.
@@ -85,14 +87,18 @@ impl Program {
 pub(super) struct ProgramKey {
     pub(super) shader: Shader,
     pub(super) constants: Vec<(&'static str, u32)>,
+    /// If it draws slices, too, what their part is compiled with besides.
+    slices: Option<Constants>,
 }
 
 impl ProgramKey {
-    /// Only an A-buffer's and the ideal GPU's programs are compiled with constants; `more` come last.
+    /// Only an A-buffer's and the ideal GPU's programs are compiled with constants; `more` come last. All that draw
+    /// surfaces draw slices, too, if there are any.
     pub(super) fn new(
         shader: Shader,
         constants: &[(&'static str, u32)],
         more: Option<(&'static str, u32)>,
+        slices: Option<Constants>,
     ) -> Self {
         let constants = if WITH_CONSTANTS
             .iter()
@@ -102,7 +108,12 @@ impl ProgramKey {
         } else {
             Vec::new()
         };
-        Self { shader, constants }
+        let slices = slices.filter(|_| !ON_THE_SCREEN.contains(&shader.0));
+        Self {
+            shader,
+            constants,
+            slices,
+        }
     }
 }
 
@@ -113,8 +124,27 @@ const WITH_CONSTANTS: [&str; 2] = ["a_buffer/", "ideal/"];
 pub(super) enum Linked {
     /// A program that draws [`Objects::Screen`].
     Screen(Program),
-    /// Two programs that draw surfaces.
-    Surface { unlit: Program, lit: Program },
+    /// Programs that draw surfaces.
+    Surface(Surfaces),
+}
+
+/// A program for each way in which a surface gets its colour.
+#[derive(Debug)]
+pub(super) struct Surfaces {
+    unlit: Program,
+    lit: Program,
+    /// Only linked when there are slices.
+    slice: Option<Program>,
+}
+
+impl Surfaces {
+    pub(super) fn of(&self, shading: Shading) -> &Program {
+        match (shading, &self.slice) {
+            (Shading::Slice, Some(slice)) => slice,
+            (Shading::None | Shading::Slice, _) => &self.unlit,
+            (Shading::Flat | Shading::Lit | Shading::TwoSided, _) => &self.lit,
+        }
+    }
 }
 
 /// The shaders that draw [`Objects::Screen`]; all others draw surfaces.
@@ -150,19 +180,26 @@ impl Linked {
             Some(("invariance", _)) => "invariance/vertex.vert",
             _ => "geometry.vert",
         };
-        let with = |surface| Program::link(gl, &[vertex, &fragment, surface], &key.constants);
-        Ok(Self::Surface {
-            unlit: with("surface/unlit.frag")?,
-            lit: with("surface/lit.frag")?,
-        })
+        let with =
+            |surface, constants: &[_]| Program::link(gl, &[vertex, &fragment, surface], constants);
+        let slice =
+            |slices: &Constants| with("surface/slice.frag", &[&key.constants[..], slices].concat());
+        Ok(Self::Surface(Surfaces {
+            unlit: with("surface/unlit.frag", &key.constants)?,
+            lit: with("surface/lit.frag", &key.constants)?,
+            slice: key.slices.as_ref().map(slice).transpose()?,
+        }))
     }
 
     /// Every program.
     pub(super) fn programs(&self) -> impl Iterator<Item = &Program> {
-        let (first, second) = match self {
-            Self::Screen(program) => (program, None),
-            Self::Surface { unlit, lit } => (unlit, Some(lit)),
+        let (first, more) = match self {
+            Self::Screen(program) => (program, [None, None]),
+            Self::Surface(surfaces) => (
+                &surfaces.unlit,
+                [Some(&surfaces.lit), surfaces.slice.as_ref()],
+            ),
         };
-        std::iter::once(first).chain(second)
+        std::iter::once(first).chain(more.into_iter().flatten())
     }
 }

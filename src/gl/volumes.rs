@@ -1,4 +1,4 @@
-//! A scene's volumes in the driver's memory, for the shaders of fused rendering.
+//! A scene's volumes in the driver's memory, for the shaders of fused rendering and for slices.
 
 use glam::{DMat3, DVec3};
 use glow::HasContext;
@@ -20,6 +20,9 @@ const TRANSFER_UNIT: u32 = 6;
 const PLACES: Storage = Storage("volumes' places");
 const TRANSFER: Storage = Storage("transfer functions");
 
+/// VOLUMES and POINTS, what shaders are compiled with.
+pub(super) type Constants = [(&'static str, u32); 2];
+
 /// A 3D texture for each volume.
 pub struct VolumeTextures<'c> {
     context: &'c Context,
@@ -39,7 +42,21 @@ impl<'c> GlMachine<'c> {
     ///
     /// # Errors
     /// There are more than the ids have bits or the driver has texture units for, or it has no room.
-    pub fn upload_volumes(&mut self, scene: &Scene) -> Result<[(&'static str, u32); 2]> {
+    pub fn upload_volumes(&mut self, scene: &Scene) -> Result<Constants> {
+        self.upload(scene, 0.0)
+    }
+
+    /// Uploads the scene's volumes for meshes that are shaded as [`Shading::Slice`](crate::scene::Shading::Slice), which
+    /// are drawn from now on until [`free_every_map`](Self::free_every_map). `spacing` is the distance from slice to slice.
+    ///
+    /// # Errors
+    /// As [`upload_volumes`](Self::upload_volumes).
+    pub fn upload_slices(&mut self, scene: &Scene, spacing: f64) -> Result<()> {
+        self.slices = Some(self.upload(scene, spacing)?);
+        Ok(())
+    }
+
+    fn upload(&mut self, scene: &Scene, spacing: f64) -> Result<Constants> {
         self.volumes = None;
         let count = scene.volumes.len() as u32;
         if count == 0 {
@@ -66,7 +83,7 @@ impl<'c> GlMachine<'c> {
             .collect();
         self.allocate_storage(TRANSFER, transfer.len() as u64 * 4, Some(Texels::Rgba32F))?;
         self.write_storage(TRANSFER, &transfer)?;
-        let places = places(scene, self.size);
+        let places = places(scene, self.size, spacing);
         let places: Vec<u32> = places.into_iter().map(f32::to_bits).collect();
         self.allocate_storage(PLACES, places.len() as u64 * 4, None)?;
         self.write_storage(PLACES, &places)?;
@@ -190,7 +207,7 @@ fn padded(points: &[TransferPoint], count: usize) -> impl Iterator<Item = f32> +
 }
 
 /// The block `Volumes` of `volume.glsl`, computed in f64.
-fn places(scene: &Scene, [width, height]: [u32; 2]) -> Vec<f32> {
+fn places(scene: &Scene, [width, height]: [u32; 2], spacing: f64) -> Vec<f32> {
     let camera = &scene.camera;
     let [width, height] = [width, height].map(f64::from);
     let half = (camera.fov.to_radians() / 2.0).tan();
@@ -206,7 +223,7 @@ fn places(scene: &Scene, [width, height]: [u32; 2]) -> Vec<f32> {
         half_height,
         width,
         height,
-        0.0,
+        spacing,
         0.0,
     ];
     for volume in &scene.volumes {

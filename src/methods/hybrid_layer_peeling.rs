@@ -3,6 +3,10 @@
 //!
 //! Sorted are the meshes that the scene says are ([`Mesh::sorted`](crate::scene::Mesh::sorted)); the number of
 //! iterations depends on the others alone. Of surfaces at the same depth, unsorted ones come before sorted ones.
+//!
+//! Volumes become sorted meshes, too: planes across the view, what Carr et al. have in their figure 1. A slice stands for
+//! a slab as a whole, so that where a surface is in a slab, or a ray enters or leaves a volume there, up to half of it is
+//! on the wrong side; the error of the image falls with the number of slices.
 
 use super::peeled::{Peeled, peeled};
 use super::sorting::sorted_meshes_front_to_back;

@@ -21,6 +21,7 @@ mod peeled;
 mod registry;
 mod renderer;
 mod requirements;
+mod slicing;
 mod sorting;
 mod stats;
 
@@ -38,6 +39,7 @@ pub use ideal_coherent_layer_peeling::{BufferAccess, IdealOptions};
 pub use layer_peeling::LayerPeelingOptions;
 pub use registry::{Entry, Method, registry};
 pub use renderer::{Frame, Layer, Renderer};
+pub use slicing::{DEFAULT_SLICES, MOST_SLICES};
 pub use sorting::Sorting;
 pub use stats::{Peeling, Stats};
 

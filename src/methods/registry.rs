@@ -266,9 +266,21 @@ impl Method {
         }
     }
 
-    /// Whether it renders volumes, too; the others draw surfaces only, and refuse a scene with volumes.
+    /// Whether it renders volumes, too, without being asked to draw them as slices; the others refuse a scene with
+    /// volumes.
     pub const fn renders_volumes(&self) -> bool {
+        self.casts_rays() || matches!(self, Self::HybridLayerPeeling(_))
+    }
+
+    /// Whether it casts rays through volumes.
+    pub const fn casts_rays(&self) -> bool {
         matches!(self, Self::Exact | Self::ABuffer(_))
+    }
+
+    /// Whether it can draw volumes as slices ([`Renderer::with_slices`](super::Renderer::with_slices)): whatever draws
+    /// surfaces in an order that is more than that of submission.
+    pub const fn takes_slices(&self) -> bool {
+        !self.casts_rays() && !matches!(self, Self::Blend)
     }
 
     /// Its entry in the registry.

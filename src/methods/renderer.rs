@@ -1,5 +1,6 @@
 //! Rendering: sets a method up for a scene, runs it, reads the image, and counts what belongs into it.
 
+use std::borrow::Cow;
 use std::time::{Duration, Instant};
 
 use super::a_buffer::{ABuffer, fused};
@@ -11,8 +12,8 @@ use super::hybrid_layer_peeling::HybridLayerPeeling;
 use super::ideal_coherent_layer_peeling::IdealCoherentLayerPeeling;
 use super::layer_peeling::LayerPeeling;
 use super::peeled::Peeled;
-use super::{Algorithm, Composited, Drawn, Method, Stats, blend, exact, painter, registry};
-use crate::error::{Error, Result};
+use super::{Algorithm, Composited, Drawn, Method, Stats, blend, exact, painter, slicing};
+use crate::error::Result;
 use crate::gl::{Context, Format, Geometry, GlMachine};
 use crate::image::Image;
 use crate::papers::vtk;
@@ -36,6 +37,7 @@ pub struct Renderer<'c> {
     pub(super) machine: GlMachine<'c>,
     color: Format,
     depth: Format,
+    slices: Option<u32>,
 }
 
 /// An image and what there is to say about it.
@@ -57,6 +59,13 @@ pub struct Layer {
     /// Window-space depth, row by row from the top. Where the layer has no fragment it is the depth from which the peel
     /// started: the opaque surface's, or 1.
     pub depth: Vec<f32>,
+}
+
+/// A scene as a method draws it.
+struct Shown<'s> {
+    scene: Cow<'s, Scene>,
+    /// As how many slices its volumes are drawn, if they are.
+    slices: Option<u32>,
 }
 
 /// The map that holds the finished image.
@@ -99,6 +108,7 @@ impl<'c> Renderer<'c> {
             machine,
             color: Format::Rgba32F,
             depth: Format::Depth32FStencil8,
+            slices: None,
         })
     }
 
@@ -109,16 +119,31 @@ impl<'c> Renderer<'c> {
         self
     }
 
+    /// Has methods that know surfaces only draw a scene's volumes as so many slices, 1 to
+    /// [`MOST_SLICES`](super::MOST_SLICES): planes across the view, evenly through all volumes together, each as opaque as
+    /// the slab in whose middle it stands. Hybrid layer peeling does so unasked, with
+    /// [`DEFAULT_SLICES`](super::DEFAULT_SLICES); methods that cast rays through volumes go on doing so.
+    ///
+    /// # Errors
+    /// If the number is out of its range.
+    pub fn with_slices(mut self, count: u32) -> Result<Self> {
+        slicing::check(count)?;
+        self.slices = Some(count);
+        Ok(self)
+    }
+
     /// Renders one frame.
     ///
     /// # Errors
     /// What the method or the driver cannot do.
     pub fn render(&mut self, scene: &Scene, method: &Method) -> Result<Frame> {
+        let shown = self.set_up_for(scene, method)?;
+        let scene = &*shown.scene;
         let mut algorithm = self.prepare(scene, method)?;
         let (mut drawn, ms) = self.draw(scene, algorithm.as_mut())?;
         self.machine
             .aside(|machine| algorithm.account(machine, &mut drawn))?;
-        self.finish(scene, method, drawn, ms)
+        self.finish(&shown, method, drawn, ms)
     }
 
     /// Renders a frame to warm up and then `frames` more, or as many as begin within two seconds, but at least one; the
@@ -127,6 +152,8 @@ impl<'c> Renderer<'c> {
     /// # Errors
     /// As [`Renderer::render`].
     pub fn measure(&mut self, scene: &Scene, method: &Method, frames: usize) -> Result<Frame> {
+        let shown = self.set_up_for(scene, method)?;
+        let scene = &*shown.scene;
         let mut algorithm = self.prepare(scene, method)?;
         self.draw(scene, algorithm.as_mut())?;
         let start = Instant::now();
@@ -140,7 +167,7 @@ impl<'c> Renderer<'c> {
         self.machine
             .aside(|machine| algorithm.account(machine, &mut drawn))?;
         times.sort_unstable_by(f64::total_cmp);
-        self.finish(scene, method, drawn, times[times.len() / 2])
+        self.finish(&shown, method, drawn, times[times.len() / 2])
     }
 
     /// Copies the last frame's image into the default framebuffer, which a window shows; the lower left corners meet.
@@ -163,9 +190,27 @@ impl<'c> Renderer<'c> {
         Ok(())
     }
 
+    /// Uploads the scene as the method draws it, and answers that: with slices instead of volumes, if it does not cast
+    /// rays.
+    fn set_up_for<'s>(&mut self, scene: &'s Scene, method: &Method) -> Result<Shown<'s>> {
+        let slices = slicing::slices(scene, method, self.slices)?;
+        let scene = match slices {
+            None => {
+                self.set_up(scene)?;
+                Cow::Borrowed(scene)
+            }
+            Some(count) => {
+                let stack = scene.as_slices(count);
+                self.set_up(&stack.scene)?;
+                self.machine.upload_slices(scene, stack.spacing)?;
+                Cow::Owned(stack.scene)
+            }
+        };
+        Ok(Shown { scene, slices })
+    }
+
+    /// The scene is set up.
     fn prepare(&mut self, scene: &Scene, method: &Method) -> Result<Box<dyn Algorithm>> {
-        expect_known(scene, method)?;
-        self.set_up(scene)?;
         let machine = &mut self.machine;
         let mut algorithm: Box<dyn Algorithm> = match method {
             Method::Blend => Box::new(blend::Blend),
@@ -216,6 +261,7 @@ impl<'c> Renderer<'c> {
     /// GL's initial state and the background's colour.
     pub(super) fn begin(&mut self, scene: &Scene) -> Result<()> {
         self.machine.begin_frame();
+        self.machine.bind_volumes()?;
         let [red, green, blue] = scene.background;
         self.machine.perform(&Call::ClearColor {
             red,
@@ -225,7 +271,13 @@ impl<'c> Renderer<'c> {
         })
     }
 
-    fn finish(&mut self, scene: &Scene, method: &Method, drawn: Drawn, ms: f64) -> Result<Frame> {
+    fn finish(
+        &mut self,
+        shown: &Shown<'_>,
+        method: &Method,
+        drawn: Drawn,
+        ms: f64,
+    ) -> Result<Frame> {
         let counts = self.machine.counts();
         let image = match drawn.image {
             Some(image) => image,
@@ -237,7 +289,7 @@ impl<'c> Renderer<'c> {
             }
             _ => Vec::new(),
         };
-        let fragments = self.count_fragments(scene)?;
+        let fragments = self.count_fragments(&shown.scene)?;
         let lost = match drawn.composited {
             Composited::All => Some(0),
             Composited::Some(composited) => Some(fragments.saturating_sub(composited)),
@@ -254,6 +306,7 @@ impl<'c> Renderer<'c> {
             stopped: drawn.stopped,
             peeling: drawn.peeling,
             bytes: counts.bytes,
+            slices: shown.slices,
             a_buffer: drawn.a_buffer,
             ms,
         };
@@ -298,22 +351,4 @@ impl<'c> Renderer<'c> {
         run(&COUNT, fused(scene), Variables::new(), &mut self.machine)?;
         self.machine.samples(FRAGMENTS)
     }
-}
-
-/// A method that does not know volumes would leave them out in silence.
-fn expect_known(scene: &Scene, method: &Method) -> Result<()> {
-    if scene.volumes.is_empty() || method.renders_volumes() {
-        return Ok(());
-    }
-    let able = registry()
-        .iter()
-        .filter(|entry| entry.method.renders_volumes());
-    let able: Vec<_> = able.map(|entry| entry.name).collect();
-    Err(Error::usage(
-        format!(
-            "{method} draws surfaces only, and the scene has volumes ({})",
-            scene.volumes.len()
-        ),
-        format!("volumes are rendered by: {}", able.join(", ")),
-    ))
 }

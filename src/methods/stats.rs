@@ -26,6 +26,8 @@ pub struct Stats {
     pub peeling: Peeling,
     /// Bytes of the maps that the method has allocated.
     pub bytes: u64,
+    /// As how many slices the scene's volumes were drawn; nothing if they were not.
+    pub slices: Option<u32>,
     /// What the fragment lists have cost; nothing if the method has none.
     pub a_buffer: Option<ABufferCounts>,
     /// Time of the frame in milliseconds, readback and files left out.
@@ -85,6 +87,9 @@ impl fmt::Display for Stats {
             "memory",
             &format_args!("{:.1} MiB", self.bytes as f64 / f64::from(1 << 20)),
         )?;
+        if let Some(slices) = self.slices {
+            line("slices", &slices)?;
+        }
         if let Some(counts) = &self.a_buffer {
             line("bands", &counts.bands)?;
             line(

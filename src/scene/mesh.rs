@@ -32,6 +32,9 @@ pub enum Shading {
     Lit,
     /// Lit, the outside in its own colour and the inside in [`Mesh::inside`].
     TwoSided,
+    /// What the scene's volumes have at the place, as opaque as the slab that the slice stands for; clear outside of all
+    /// of them. Of the slices that the renderer makes of volumes, not of a scene file.
+    Slice,
 }
 
 /// A list of triangles.

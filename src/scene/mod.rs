@@ -16,6 +16,7 @@ mod normals;
 mod obj;
 mod path;
 mod source;
+mod stack;
 mod transform;
 mod volume;
 

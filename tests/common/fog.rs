@@ -72,11 +72,11 @@ fn see(scene: &Scene, pixel: [u32; 2], hits: &[Hit]) -> [f64; 3] {
     light.to_array()
 }
 
-fn over([r, g, b, a]: [f64; 4], light: DVec3) -> DVec3 {
+pub fn over([r, g, b, a]: [f64; 4], light: DVec3) -> DVec3 {
     DVec3::new(r, g, b) * a + light * (1.0 - a)
 }
 
-fn ray(scene: &Scene, [column, row]: [u32; 2]) -> DVec3 {
+pub fn ray(scene: &Scene, [column, row]: [u32; 2]) -> DVec3 {
     let camera = &scene.camera;
     let forward = (camera.target - camera.eye).normalize();
     let right = forward.cross(camera.up).normalize();
@@ -156,7 +156,7 @@ fn narrowest(volume: &Volume) -> f64 {
     edge(0).min(edge(1)).min(edge(2))
 }
 
-fn value(volume: &Volume, point: DVec3) -> f64 {
+pub fn value(volume: &Volume, point: DVec3) -> f64 {
     let corners = volume.corners();
     let [x, y, z] = volume.dims();
     let edges = DMat3::from_cols(
@@ -175,7 +175,7 @@ fn value(volume: &Volume, point: DVec3) -> f64 {
     sum
 }
 
-fn look(transfer: &Transfer, value: f64) -> (DVec3, f64) {
+pub fn look(transfer: &Transfer, value: f64) -> (DVec3, f64) {
     let points = transfer.points();
     let numbers = |i: usize| {
         let point = &points[i];

@@ -1,0 +1,59 @@
+//! The argument that says as how many slices volumes are drawn.
+
+use clap::Args;
+use onionskin::methods::MOST_SLICES;
+use onionskin::{Error, Method, Renderer, Result};
+
+#[derive(Args)]
+pub(super) struct Slices {
+    /// Draw volumes as N slices across the view, by methods that know surfaces only; of these hybrid-layer-peeling does
+    /// so unasked, with 256
+    #[arg(long, value_name = "N", value_parser = count, help_heading = "Options of methods for surfaces")]
+    slices: Option<u32>,
+}
+
+impl Slices {
+    pub(super) fn is_given(&self) -> bool {
+        self.slices.is_some()
+    }
+
+    /// A renderer that draws volumes so.
+    pub(super) fn told<'c>(&self, renderer: Renderer<'c>) -> Result<Renderer<'c>> {
+        match self.slices {
+            Some(count) => renderer.with_slices(count),
+            None => Ok(renderer),
+        }
+    }
+
+    /// Whether it means anything to the method.
+    ///
+    /// # Errors
+    /// It is given, and the method draws no slices.
+    pub(super) fn check(&self, method: &Method) -> Result<()> {
+        if !self.is_given() || method.takes_slices() {
+            return Ok(());
+        }
+        Err(if method.casts_rays() {
+            Error::usage(
+                format!("{method} casts rays through volumes, and draws no slices"),
+                "leave out --slices, or choose hybrid-layer-peeling",
+            )
+        } else {
+            Error::usage(
+                format!("{method} would draw slices in the order of submission, over one another"),
+                "leave out --slices, or choose hybrid-layer-peeling",
+            )
+        })
+    }
+}
+
+fn count(text: &str) -> Result<u32, Error> {
+    let number = text.parse().ok();
+    let among = number.filter(|count| (1..=MOST_SLICES).contains(count));
+    among.ok_or_else(|| {
+        Error::usage(
+            format!("'{text}' is no number of slices"),
+            format!("write a whole number from 1 to {MOST_SLICES}"),
+        )
+    })
+}
