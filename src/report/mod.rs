@@ -2,11 +2,13 @@
 
 mod bars;
 mod complexity;
+mod convergence;
 mod histogram;
 mod series;
 
 pub use bars::{BarGroup, bars};
 pub use complexity::{csv, picture};
+pub use convergence::{Curves, convergence};
 pub use histogram::{Plot, PlotKind, plot};
 pub use series::{BINS, Moment, save_series_csv, series, series_csv};
 

@@ -1,0 +1,121 @@
+//! One scene by both papers: rays cast between the fragments of a list (Lindholm et al. 2015, section 6), and the same
+//! volumes as sorted slices next to peeled surfaces (Carr et al. 2008, Algorithm 1). How many slices does it take?
+//!
+//! A slice stands for a whole slab, so where a surface is inside of one, or a ray enters a volume there, half a slab at the
+//! most is on the wrong side: twice as many slices halve the difference. Hybrid layer peeling's iterations stay those of
+//! the surfaces; layer peeling's, which peels slices like surfaces, grow with them.
+//!
+//! Writes a plot, and a picture: 12 slices, 96 slices, rays.
+//!
+//! `cargo run --release --example 21_both_papers_on_one_scene [FOLDER]`
+
+use onionskin::image::Comparison;
+use onionskin::methods::{ABufferOptions, RecordColor};
+use onionskin::report::{Curves, convergence};
+use onionskin::{Context, Image, Method, Renderer, Scene};
+
+#[path = "common/example.rs"]
+mod example;
+
+const SIZE: [u32; 2] = [200, 150];
+const COUNTS: [u32; 6] = [16, 32, 64, 128, 256, 512];
+/// More slices take layer peeling minutes.
+const MOST_FOR_LAYERS: u32 = 64;
+
+fn main() -> onionskin::Result<()> {
+    let context = Context::headless()?;
+    let (rays, hybrid) = (rays(), Method::HybridLayerPeeling(Default::default()));
+    let scene = Scene::load_at(example::scene("fog.toml"), Some(SIZE))?;
+    let fused = renderer(&context, &scene, 1)?.render(&scene, &rays)?.image;
+
+    let (mut rms, mut max) = (Vec::new(), Vec::new());
+    let (mut hybrids, mut layers) = (Vec::new(), Vec::new());
+    println!("slices  rms difference  largest  iterations: hybrid  layer peeling");
+    for count in COUNTS {
+        let mut renderer = renderer(&context, &scene, count)?;
+        let frame = renderer.render(&scene, &hybrid)?;
+        let difference = Comparison::new(&frame.image, &fused, 0.0)?;
+        rms.push(difference.rms);
+        max.push(difference.max);
+        hybrids.push(f64::from(frame.stats.iterations));
+        let mut of_layers = "not run".to_owned();
+        if count <= MOST_FOR_LAYERS {
+            let frame = renderer.render(&scene, &Method::LayerPeeling(Default::default()))?;
+            layers.push(f64::from(frame.stats.iterations));
+            of_layers = frame.stats.iterations.to_string();
+        }
+        println!(
+            "{count:>6}  {:>14.1e}  {:>7.1e}  {:>18}  {of_layers:>13}",
+            difference.rms, difference.max, frame.stats.iterations
+        );
+    }
+    let error = Curves {
+        of_what: "difference from the fused image".into(),
+        curves: vec![
+            ("largest difference".into(), max),
+            ("rms difference".into(), rms),
+        ],
+    };
+    let iterations = Curves {
+        of_what: "iterations".into(),
+        curves: vec![
+            ("iterations of hybrid layer peeling".into(), hybrids),
+            ("iterations of layer peeling".into(), layers),
+        ],
+    };
+    let caption = "two volumes and a ring: slices against rays";
+    let counts = COUNTS.map(f64::from);
+    let [svg, png] = convergence(caption, ("slices", &counts), &error, &iterations)?;
+    let path = example::output("21_slices_against_rays.png")?;
+    png.save(&path)?;
+    svg.save(&path.with_extension("svg"))?;
+
+    let scene = Scene::load_at(example::scene("fog.toml"), Some([320, 240]))?;
+    let mut panels = Vec::new();
+    for count in [12, 96] {
+        panels.push(
+            renderer(&context, &scene, count)?
+                .render(&scene, &hybrid)?
+                .image,
+        );
+    }
+    panels.push(renderer(&context, &scene, 1)?.render(&scene, &rays)?.image);
+    let path = example::output("21_both_papers_on_one_scene.png")?;
+    side_by_side(&panels).save(&path)?;
+    println!("{}", path.display());
+    Ok(())
+}
+
+/// Lists of whatever length, colours in 32 bits: what is left to see are the slices.
+fn rays() -> Method {
+    Method::ABuffer(ABufferOptions {
+        color: RecordColor::Float,
+        pp_dp: true,
+        ..ABufferOptions::default()
+    })
+}
+
+fn renderer<'c>(
+    context: &'c Context,
+    scene: &Scene,
+    count: u32,
+) -> onionskin::Result<Renderer<'c>> {
+    let [width, height] = scene.size;
+    Renderer::new(context, width, height)?.with_slices(count)
+}
+
+/// Pictures of one height.
+fn side_by_side(panels: &[Image]) -> Image {
+    let (width, height) = (panels[0].width, panels[0].height);
+    let row = |y: u32| {
+        let pixels = (y * width) as usize..((y + 1) * width) as usize;
+        panels
+            .iter()
+            .flat_map(move |panel| &panel.pixels[pixels.clone()])
+    };
+    Image {
+        width: width * panels.len() as u32,
+        height,
+        pixels: (0..height).flat_map(row).copied().collect(),
+    }
+}

@@ -1,0 +1,180 @@
+//! Errors that fall as something is refined, and what the refinement costs: lines between logarithmic axes.
+
+use plotters::coord::Shift;
+use plotters::prelude::*;
+
+use super::Plot;
+use super::histogram::{FAMILY, register_the_font};
+use super::series::in_pixels;
+use crate::error::{Error, Result};
+
+/// What a vertical axis measures.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Curves {
+    /// What is written beside the axis.
+    pub of_what: String,
+    /// Names, and values greater than 0 for the refinements in their order. A curve may end early.
+    pub curves: Vec<(String, Vec<f64>)>,
+}
+
+const SIZE: (u32, u32) = (1000, 600);
+const LEFT: [RGBColor; 3] = [
+    RGBColor(0x21, 0x71, 0xB5),
+    RGBColor(0x10, 0x2A, 0x43),
+    RGBColor(0x6A, 0x3D, 0x9A),
+];
+const RIGHT: [RGBColor; 2] = [RGBColor(0xD9, 0x48, 0x01), RGBColor(0x8C, 0x6D, 0x31)];
+
+/// The plot as an SVG, and in pixels: `refined` is what the horizontal axis counts and its values, at least two, each
+/// greater than the one before; up to three curves go by the left axis, up to two by the right one.
+///
+/// # Errors
+/// What the plotting library cannot do.
+pub fn convergence(
+    caption: &str,
+    refined: (&str, &[f64]),
+    left: &Curves,
+    right: &Curves,
+) -> Result<[Plot; 2]> {
+    register_the_font();
+    let chart = Chart {
+        caption,
+        refined,
+        left,
+        right,
+    };
+    let mut text = String::new();
+    chart.draw(SVGBackend::with_string(&mut text, SIZE).into_drawing_area())?;
+    let mut bytes = vec![0; (SIZE.0 * SIZE.1 * 3) as usize];
+    chart.draw(BitMapBackend::with_buffer(&mut bytes, SIZE).into_drawing_area())?;
+    Ok([Plot::Svg(text), Plot::Png(in_pixels(SIZE, &bytes))])
+}
+
+struct Chart<'c> {
+    caption: &'c str,
+    refined: (&'c str, &'c [f64]),
+    left: &'c Curves,
+    right: &'c Curves,
+}
+
+impl Chart<'_> {
+    fn draw<B: DrawingBackend>(&self, area: DrawingArea<B, Shift>) -> Result<()> {
+        let plot = || {
+            area.fill(&WHITE)?;
+            let (name, refined) = self.refined;
+            let ends = [refined[0], refined[refined.len() - 1]];
+            let across = || (ends[0] / 1.15..ends[1] * 1.15).log_scale();
+            let mut chart = ChartBuilder::on(&area)
+                .caption(self.caption, (FAMILY, 24))
+                .margin(16)
+                .x_label_area_size(48)
+                .y_label_area_size(76)
+                .right_y_label_area_size(76)
+                .build_cartesian_2d(
+                    across().with_key_points(refined.to_vec()),
+                    self.left.range().log_scale(),
+                )?
+                .set_secondary_coord(across(), self.right.range().log_scale());
+            chart
+                .configure_mesh()
+                .light_line_style(TRANSPARENT)
+                .x_desc(name)
+                .y_desc(&self.left.of_what)
+                .axis_desc_style((FAMILY, 20))
+                .label_style((FAMILY, 18))
+                .x_label_formatter(&|x| format!("{x:.0}"))
+                .y_label_formatter(&|y| format!("{y:.0e}"))
+                .draw()?;
+            chart
+                .configure_secondary_axes()
+                .y_desc(&self.right.of_what)
+                .axis_desc_style((FAMILY, 20))
+                .label_style((FAMILY, 18))
+                .y_label_formatter(&|y| format!("{y:.0}"))
+                .draw()?;
+            for ((name, values), color) in self.left.curves.iter().zip(LEFT) {
+                let points: Vec<_> = refined
+                    .iter()
+                    .copied()
+                    .zip(values.iter().copied())
+                    .collect();
+                let line = PathElement::new(points.clone(), color.stroke_width(3));
+                chart.draw_series([line])?;
+                let marks = points
+                    .into_iter()
+                    .map(|point| Circle::new(point, 5, color.filled()));
+                chart
+                    .draw_series(marks)?
+                    .label(name)
+                    .legend(move |(x, y)| Circle::new((x + 9, y), 5, color.filled()));
+            }
+            for ((name, values), color) in self.right.curves.iter().zip(RIGHT) {
+                let points: Vec<_> = refined
+                    .iter()
+                    .copied()
+                    .zip(values.iter().copied())
+                    .collect();
+                let line = PathElement::new(points.clone(), color.stroke_width(2));
+                chart.draw_secondary_series([line])?;
+                let marks = points
+                    .into_iter()
+                    .map(|point| TriangleMarker::new(point, 7, color.filled()));
+                chart
+                    .draw_secondary_series(marks)?
+                    .label(name)
+                    .legend(move |(x, y)| TriangleMarker::new((x + 9, y), 7, color.filled()));
+            }
+            chart
+                .configure_series_labels()
+                .position(SeriesLabelPosition::UpperRight)
+                .background_style(WHITE.mix(0.85))
+                .border_style(BLACK.mix(0.3))
+                .label_font((FAMILY, 18))
+                .draw()?;
+            area.present()
+        };
+        plot().map_err(|e: DrawingAreaErrorKind<B::ErrorType>| Error::Driver {
+            what: format!("the curves cannot be plotted: {e}"),
+            remedy: "print them".into(),
+        })
+    }
+}
+
+impl Curves {
+    /// Whole powers of ten around all values.
+    fn range(&self) -> std::ops::Range<f64> {
+        let values = || self.curves.iter().flat_map(|(_, values)| values).copied();
+        let power = |value: f64| value.max(1e-12).log10();
+        let low = power(values().fold(f64::INFINITY, f64::min)).floor();
+        let high = power(values().fold(0.0, f64::max)).ceil();
+        10_f64.powf(low)..10_f64.powf(high.max(low + 1.0))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn curves(name: &str, values: &[f64]) -> Curves {
+        Curves {
+            of_what: name.into(),
+            curves: vec![(name.into(), values.to_vec())],
+        }
+    }
+
+    #[test]
+    fn a_curve_has_a_mark_for_each_of_its_values() {
+        let error = curves("error", &[0.1, 0.05, 0.025]);
+        let cost = curves("cost", &[7.0, 7.0]);
+        let [svg, _] = convergence("test", ("slices", &[16.0, 32.0, 64.0]), &error, &cost).unwrap();
+        let Plot::Svg(text) = svg else {
+            panic!("not an SVG")
+        };
+        // And one of each in the legend.
+        assert_eq!(text.matches("<circle").count(), 3 + 1, "{text}");
+        assert_eq!(text.matches("<polygon").count(), 2 + 1, "{text}");
+        for label in ["slices", "error", "cost", "16", "32", "64"] {
+            assert!(text.contains(&format!("{label}\n")), "no {label}: {text}");
+        }
+    }
+}
