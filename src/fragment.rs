@@ -49,3 +49,69 @@ pub struct Fragment {
     /// Place in the order of submission; of two fragments of equal depth the one submitted first lies in front.
     pub order: u32,
 }
+
+/// What a record in a fragment list comes from, as its id says (Lindholm et al. 2015, section 6.1): bits 31 and 30 are the
+/// kind of source, the rest is its number. `glsl/a_buffer/record.glsl` has the same bits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Source {
+    /// A surface, by its place in the order of submission, below 2^30.
+    Surface(u32),
+    /// A face of the box around a volume.
+    Proxy {
+        /// The volume's number, 0 to 31.
+        volume: u32,
+        /// Whether the ray leaves the volume there, or enters it.
+        leaves: bool,
+    },
+}
+
+impl Source {
+    const VOLUME: u32 = 1 << 30;
+    const LEAVES: u32 = 1 << 29;
+    const NUMBER: u32 = 31;
+
+    /// The id; of two records of equal depth the one with the smaller id comes first.
+    pub const fn id(self) -> u32 {
+        match self {
+            Self::Surface(place) => place,
+            Self::Proxy { volume, leaves } => {
+                let leaves = if leaves { Self::LEAVES } else { 0 };
+                Self::VOLUME | leaves | volume & Self::NUMBER
+            }
+        }
+    }
+
+    /// What has this id.
+    pub const fn of(id: u32) -> Self {
+        if id & Self::VOLUME == 0 {
+            return Self::Surface(id);
+        }
+        Self::Proxy {
+            volume: id & Self::NUMBER,
+            leaves: id & Self::LEAVES != 0,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_id_says_what_its_source_is() {
+        let proxies =
+            (0..32).flat_map(|volume| [false, true].map(|leaves| Source::Proxy { volume, leaves }));
+        for source in proxies.chain([0, 1, (1 << 30) - 1].map(Source::Surface)) {
+            assert_eq!(Source::of(source.id()), source);
+        }
+    }
+
+    #[test]
+    fn the_shaders_have_the_same_bits() {
+        let glsl = include_str!("../glsl/a_buffer/record.glsl");
+        let has = |line: &str| assert!(glsl.contains(line), "no '{line}'");
+        has(&format!("VOLUME = 1u << {};", Source::VOLUME.ilog2()));
+        has(&format!("LEAVES = 1u << {};", Source::LEAVES.ilog2()));
+        has(&format!("NUMBER = {}u;", Source::NUMBER));
+    }
+}

@@ -1,14 +1,17 @@
 //! Pseudocode on Fragment Lists: every line does what it says, on one list a pixel.
 
 mod pixel;
+mod ray;
 
 use pixel::{Peel, Pixel};
+use ray::Ray;
+pub use ray::{RayRun, RayScene, RayVolume};
 
 use crate::error::{Error, Result};
-use crate::fragment::Fragment;
+use crate::fragment::{Fragment, Source};
 use crate::steps::Amendment;
 use crate::steps::pseudo::Algorithm;
-use crate::steps::pseudo::list::{End, Key, Line, Test};
+use crate::steps::pseudo::list::{End, Key, Line, Taken, Test};
 
 /// What an algorithm did.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -49,6 +52,40 @@ pub fn run_on_lists(
     array: u32,
     limit: u32,
 ) -> Result<ListRun> {
+    let pixels = lists.iter().map(|list| Pixel::new(list));
+    let run = run_on_pixels(algorithm, amendments, pixels.collect(), array, limit)?;
+    Ok(run.resolved())
+}
+
+/// The same where a ray is cast between the fragments of each list. A fragment's `order` is a record's id: that of a
+/// proxy, or of a surface ([`Source::id`]).
+///
+/// # Errors
+/// As [`run_on_lists`].
+pub fn run_on_rays(
+    algorithm: &Algorithm<Line>,
+    amendments: &[Amendment<Line>],
+    pixels: &[(Vec<Fragment>, RayScene<'_>)],
+    array: u32,
+    limit: u32,
+) -> Result<(ListRun, Vec<RayRun>)> {
+    let pixels = pixels.iter().map(|(list, scene)| Pixel {
+        ray: Some(Ray::new(scene)),
+        ..Pixel::new(list)
+    });
+    let run = run_on_pixels(algorithm, amendments, pixels.collect(), array, limit)?;
+    let rays = run.pixels.iter().filter_map(|pixel| pixel.ray.as_ref());
+    let rays = rays.map(|ray| ray.done.clone()).collect();
+    Ok((run.resolved(), rays))
+}
+
+fn run_on_pixels<'a>(
+    algorithm: &Algorithm<Line>,
+    amendments: &[Amendment<Line>],
+    pixels: Vec<Pixel<'a>>,
+    array: u32,
+    limit: u32,
+) -> Result<Run<'a>> {
     if array == 0 {
         return Err(Error::usage(
             "a Local Array of 0 takes no fragment",
@@ -56,7 +93,7 @@ pub fn run_on_lists(
         ));
     }
     let mut run = Run {
-        pixels: lists.iter().map(|list| Pixel::new(list)).collect(),
+        pixels,
         array,
         limit,
         ended: true,
@@ -67,16 +104,13 @@ pub fn run_on_lists(
         size: array,
     };
     if algorithm.lines.first() == Some(&Line::Input) {
-        for pixel in 0..lists.len() {
+        for pixel in 0..run.pixels.len() {
             run.resolve(pixel, algorithm, amendments, array)?;
         }
     } else {
         run.lines(algorithm.lines, amendments, nowhere)?;
     }
-    Ok(ListRun {
-        pixels: run.pixels.into_iter().map(|pixel| pixel.done).collect(),
-        ended: run.ended,
-    })
+    Ok(run)
 }
 
 struct Run<'a> {
@@ -136,6 +170,17 @@ impl Run<'_> {
                 }
                 Ok(())
             }
+            Line::Sorted(body) => {
+                let pixel = self.pixel(here, line)?;
+                pixel.done.subpasses += 1;
+                pixel.done.records_read += pixel.list.len() as u32;
+                let fragments = pixel.sorted();
+                self.resolve_each(fragments, body, amendments, here)
+            }
+            Line::Elements(body) => {
+                let fragments = self.peel(here, line)?.resolve(Taken::All);
+                self.resolve_each(fragments, body, amendments, here)
+            }
             Line::Repeat(body) => self.repeat(body, amendments, here),
             Line::If(test, then, otherwise) => {
                 let holds = self.holds(test, here, line)?;
@@ -172,10 +217,26 @@ impl Run<'_> {
             }
             Line::ResolveBuffer(taken) => {
                 let taken = self.peel(here, line)?.resolve(taken);
+                let taken = taken.iter().map(|fragment| fragment.order);
                 self.pixel(here, line)?.done.composited.extend(taken);
             }
             Line::Store(key, element) => self.peel(here, line)?.store(key, element),
             Line::ClearBuffer => self.peel(here, line)?.buffer.clear(),
+            Line::BeginRay(beginning) => {
+                let pixel = self.pixel(here, line)?;
+                let ray = pixel.ray.as_mut().ok_or_else(|| misplaced(line))?;
+                ray.begin(beginning, pixel.list);
+            }
+            Line::Cast(_) | Line::Toggle | Line::Blend => {
+                let f = here.fragment.ok_or_else(|| misplaced(line))?;
+                let ray = self.pixel(here, line)?.ray.as_mut();
+                let ray = ray.ok_or_else(|| misplaced(line))?;
+                match *line {
+                    Line::Cast(end) => ray.cast(end, f),
+                    Line::Toggle => ray.toggle(f),
+                    _ => ray.blend(f),
+                }
+            }
             _ => return Err(misplaced(line)),
         }
         Ok(())
@@ -193,6 +254,25 @@ impl Run<'_> {
                 let pixel = Some(pixel);
                 self.lines(body, amendments, Here { pixel, ..here })?;
             }
+        }
+        Ok(())
+    }
+
+    /// Fragments that are composited in this order, each by the lines of the body.
+    fn resolve_each(
+        &mut self,
+        fragments: Vec<Fragment>,
+        body: &'static [Line],
+        amendments: &[Amendment<Line>],
+        here: Here,
+    ) -> Result<()> {
+        for fragment in fragments {
+            self.pixel(here, &Line::Blend)?
+                .done
+                .composited
+                .push(fragment.order);
+            let fragment = Some(fragment);
+            self.lines(body, amendments, Here { fragment, ..here })?;
         }
         Ok(())
     }
@@ -275,6 +355,10 @@ impl Run<'_> {
             let tie = f.depth == min_depth && (key == Key::Depth || i64::from(f.order) <= min_id);
             return Ok(f.depth < min_depth || tie);
         }
+        if test == Test::IsProxy {
+            let f = here.fragment.ok_or_else(|| misplaced(line))?;
+            return Ok(matches!(Source::of(f.order), Source::Proxy { .. }));
+        }
         let pixel = self.pixel(here, line)?;
         let complexity = pixel.complexity;
         let before = if size == FIRST_SEGMENT { 0 } else { size / 2 };
@@ -282,12 +366,19 @@ impl Run<'_> {
             Test::StencilFitsSegment => u32::from(pixel.stencil) <= size.min(255),
             Test::InSegment => before < complexity && (complexity <= size || last),
             Test::Overflows => complexity > size,
-            Test::FitsSegment | Test::NotBehindMin(_) => complexity <= size,
+            Test::FitsSegment | Test::NotBehindMin(_) | Test::IsProxy => complexity <= size,
         })
     }
 }
 
 impl<'a> Run<'a> {
+    fn resolved(self) -> ListRun {
+        ListRun {
+            pixels: self.pixels.into_iter().map(|pixel| pixel.done).collect(),
+            ended: self.ended,
+        }
+    }
+
     fn pixel(&mut self, here: Here, line: &Line) -> Result<&mut Pixel<'a>> {
         let pixel = here.pixel.ok_or_else(|| misplaced(line))?;
         Ok(&mut self.pixels[pixel])

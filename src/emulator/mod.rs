@@ -3,7 +3,7 @@
 //! It runs the same [steps](mod@crate::steps) as the GL machine, on pixels whose fragments are given as lists, and can
 //! write down what became of every fragment of one of them: a table that a student can follow ([`Record`]). Algorithms
 //! in [pseudocode](crate::steps::pseudo) run on the same lists ([`run_algorithm`]); those that work on lists in memory,
-//! as A-buffers do, run on the lists alone ([`run_on_lists`]).
+//! as A-buffers do, run on the lists alone ([`run_on_lists`]), or with rays cast between their fragments ([`run_on_rays`]).
 //!
 //! # The model
 //!
@@ -25,7 +25,7 @@ mod shaders;
 mod stages;
 mod state;
 
-pub use lists::{ListRun, Resolved, run_on_lists};
+pub use lists::{ListRun, RayRun, RayScene, RayVolume, Resolved, run_on_lists, run_on_rays};
 pub use machine::{Emulator, Kind, Surface};
 pub use pseudo::{AlgorithmRun, run_algorithm};
 pub use record::{Draw, Fate, Outcome, Record};

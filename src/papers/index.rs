@@ -1,7 +1,7 @@
 //! Which listings there are, by paper.
 
 use super::carr_2008::{coherent, hybrid, ideal, passes};
-use super::lindholm_2015::components;
+use super::lindholm_2015::{components, fused};
 use super::{bavoil_2008, everitt_2001, lindholm_2015, vasilakis_2013, vtk};
 use crate::steps::pseudo::{Algorithm, Line, list};
 use crate::steps::{Amendment, Listing};
@@ -115,6 +115,12 @@ pub const fn papers() -> &'static [Paper] {
                     "section-5.2",
                     components::PP_DP,
                     &components::PP_DP_AMENDMENTS,
+                ),
+                ("section-6.1", fused::FUSED, &fused::FUSED_AMENDMENTS),
+                (
+                    "section-6.1-pp-dp",
+                    fused::PP_DP_ON_RAYS,
+                    &fused::FUSED_PP_DP,
                 ),
             ],
         },

@@ -7,6 +7,7 @@
 //! `glsl/a_buffer/pp_dp.glsl`, whose lines are the pseudocode's.
 
 pub mod components;
+pub mod fused;
 
 use super::vtk::OPAQUE_DEPTH;
 use crate::steps;

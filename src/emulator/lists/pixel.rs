@@ -1,6 +1,7 @@
 //! What a pixel has while its list is resolved: a count, a stencil value, and ppDP's Local Array.
 
 use super::Resolved;
+use super::ray::Ray;
 use crate::fragment::Fragment;
 use crate::steps::pseudo::list::{Counter, Element, Key, Mark, Start, Taken};
 
@@ -10,6 +11,8 @@ pub(super) struct Pixel<'a> {
     pub(super) stencil: u8,
     pub(super) marked: bool,
     pub(super) peel: Option<Peel>,
+    /// Where there are volumes.
+    pub(super) ray: Option<Ray<'a>>,
     pub(super) done: Resolved,
 }
 
@@ -34,6 +37,7 @@ impl<'a> Pixel<'a> {
             stencil: 0,
             marked: false,
             peel: None,
+            ray: None,
             done: Resolved::default(),
         }
     }
@@ -69,11 +73,21 @@ impl<'a> Pixel<'a> {
         let fits = self.list.len().min(size as usize);
         self.done.subpasses += 1;
         self.done.records_read += fits as u32;
-        let mut array = self.list[..fits].to_vec();
-        array.sort_by(|a, b| (a.depth.total_cmp(&b.depth)).then(a.order.cmp(&b.order)));
+        let array = sorted(&self.list[..fits]);
         let array = array.iter().map(|fragment| fragment.order);
         self.done.composited.extend(array);
     }
+
+    pub(super) fn sorted(&self) -> Vec<Fragment> {
+        sorted(self.list)
+    }
+}
+
+/// By depth, then id.
+fn sorted(list: &[Fragment]) -> Vec<Fragment> {
+    let mut array = list.to_vec();
+    array.sort_by(|a, b| (a.depth.total_cmp(&b.depth)).then(a.order.cmp(&b.order)));
+    array
 }
 
 impl Peel {
@@ -108,7 +122,7 @@ impl Peel {
         }
     }
 
-    pub(super) fn resolve(&mut self, taken: Taken) -> Vec<u32> {
+    pub(super) fn resolve(&mut self, taken: Taken) -> Vec<Fragment> {
         let count = match taken {
             Taken::AllButLastOnOverflow if self.dropped => self.n - 1,
             Taken::All | Taken::AllButLastOnOverflow => self.buffer.len(),
@@ -116,7 +130,7 @@ impl Peel {
         let taken = &self.buffer[..count];
         self.resolved += count;
         self.last = taken.last().copied().or(self.last);
-        taken.iter().map(|fragment| fragment.order).collect()
+        taken.to_vec()
     }
 
     pub(super) fn store(&mut self, key: Key, element: Element) {

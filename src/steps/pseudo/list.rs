@@ -59,6 +59,19 @@ pub enum Line {
     Store(Key, Element),
     /// `clear buffer;`
     ClearBuffer,
+
+    /// `foreach fragment f ∈ sorted fragment list do`: by depth, then id.
+    Sorted(&'static [Line]),
+    /// `foreach fragment f ∈ buffer do`: which resolves the buffer.
+    Elements(&'static [Line]),
+    /// `ray position, occupancy ← near plane, ...;`
+    BeginRay(Beginning),
+    /// `cast ray through the occupied volumes up to ...;`, and the ray's position is there.
+    Cast(SegmentEnd),
+    /// `toggle the volume of f in occupancy;`
+    Toggle,
+    /// `blend f;`
+    Blend,
 }
 
 impl Statement for Line {
@@ -68,6 +81,8 @@ impl Statement for Line {
             | Self::UnresolvedPixels(body)
             | Self::Segments(body)
             | Self::Fragments(body)
+            | Self::Sorted(body)
+            | Self::Elements(body)
             | Self::Repeat(body) => [body, &[]],
             Self::If(_, then, otherwise) => [then, otherwise],
             _ => [&[], &[]],
@@ -88,6 +103,26 @@ pub enum Test {
     Overflows,
     /// `depth(f) ≤ min depth`, or with the id.
     NotBehindMin(Key),
+    /// `f is of a volume proxy geometry`
+    IsProxy,
+}
+
+/// In which volumes a ray begins.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Beginning {
+    /// In none.
+    Outside,
+    /// In those that the list leaves and does not enter.
+    WhatIsOnlyLeft,
+}
+
+/// Where a segment of a ray ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SegmentEnd {
+    /// At a fragment.
+    Fragment,
+    /// There, or at the opaque surface if that is nearer.
+    FragmentOrOpaque,
 }
 
 /// What decides between two fragments.
@@ -200,7 +235,9 @@ fn print_statement(text: &mut String, line: &Line, amendments: &[Amendment<Line>
         Line::Pixels(body)
         | Line::UnresolvedPixels(body)
         | Line::Segments(body)
-        | Line::Fragments(body) => {
+        | Line::Fragments(body)
+        | Line::Sorted(body)
+        | Line::Elements(body) => {
             print_line(text, indent, line);
             print_lines(text, body, amendments, indent + 1);
             print_line(text, indent, "end");
@@ -274,6 +311,20 @@ impl fmt::Display for Line {
                 return write!(f, "store {key} and state of {element};");
             }
             Self::ClearBuffer => "clear buffer;",
+            Self::Sorted(_) => "foreach fragment f ∈ sorted fragment list do",
+            Self::Elements(_) => "foreach fragment f ∈ buffer do",
+            Self::BeginRay(Beginning::Outside) => "ray position, occupancy ← near plane, ∅;",
+            Self::BeginRay(Beginning::WhatIsOnlyLeft) => {
+                "ray position, occupancy ← near plane, the volumes that the list leaves but does not enter;"
+            }
+            Self::Cast(SegmentEnd::Fragment) => {
+                "cast ray through the occupied volumes up to depth(f);"
+            }
+            Self::Cast(SegmentEnd::FragmentOrOpaque) => {
+                "cast ray through the occupied volumes up to min(depth(f), opaque depth);"
+            }
+            Self::Toggle => "toggle the volume of f in occupancy;",
+            Self::Blend => "blend f;",
         })
     }
 }
@@ -287,6 +338,7 @@ impl fmt::Display for Test {
                 "previous i < depth complexity(p) and (depth complexity(p) <= i or i = max)"
             }
             Self::Overflows => "depth complexity(p) > i",
+            Self::IsProxy => "f is of a volume proxy geometry",
             Self::NotBehindMin(Key::Depth) => "depth(f) ≤ min depth",
             Self::NotBehindMin(Key::DepthAndId) => "(depth(f), id(f)) ≤ (min depth, min id)",
         })

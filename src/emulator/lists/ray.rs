@@ -1,0 +1,143 @@
+//! The ray through a pixel that is cast between the fragments of its list (Lindholm et al. 2015, section 6.1), in f64.
+
+use crate::fragment::{Fragment, Source};
+use crate::scene::Medium;
+use crate::steps::pseudo::list::{Beginning, SegmentEnd};
+
+/// What a pixel's ray passes through.
+///
+/// Places on it are distances along the view direction; its own length is `slant` times that.
+pub struct RayScene<'m> {
+    /// Where the near and the far plane are.
+    pub planes: [f64; 2],
+    /// The ray's length over a distance of 1, 1 or more.
+    pub slant: f64,
+    /// The opaque surface's depth; 1 without any.
+    pub opaque: f32,
+    /// The volumes, by their numbers.
+    pub volumes: Vec<RayVolume<'m>>,
+}
+
+/// A volume along a ray.
+pub struct RayVolume<'m> {
+    /// What it has at a distance.
+    pub medium: &'m dyn Fn(f64) -> Medium,
+    /// Its sampling distance, in world units.
+    pub step: f64,
+}
+
+/// What became of a ray.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RayRun {
+    /// Its light, and how much of what is behind it comes through.
+    pub light: [f64; 3],
+    /// 1 for a ray that met nothing.
+    pub transparency: f64,
+    /// The segments in which it was inside of volumes: from where, to where, and in which, as a bitmask.
+    pub segments: Vec<(f64, f64, u32)>,
+}
+
+/// The state that outlives a subpass.
+pub(super) struct Ray<'a> {
+    scene: &'a RayScene<'a>,
+    occupancy: u32,
+    position: f64,
+    pub(super) done: RayRun,
+}
+
+impl<'a> Ray<'a> {
+    pub(super) fn new(scene: &'a RayScene<'a>) -> Self {
+        Self {
+            scene,
+            occupancy: 0,
+            position: scene.planes[0],
+            done: RayRun {
+                light: [0.0; 3],
+                transparency: 1.0,
+                segments: Vec::new(),
+            },
+        }
+    }
+
+    /// From the near plane on.
+    pub(super) fn begin(&mut self, beginning: Beginning, list: &[Fragment]) {
+        self.position = self.scene.planes[0];
+        let (mut entered, mut left) = (0, 0);
+        for fragment in list {
+            match Source::of(fragment.order) {
+                Source::Proxy { volume, leaves } if leaves => left |= 1 << volume,
+                Source::Proxy { volume, .. } => entered |= 1 << volume,
+                Source::Surface(_) => {}
+            }
+        }
+        self.occupancy = match beginning {
+            Beginning::Outside => 0,
+            Beginning::WhatIsOnlyLeft => left & !entered,
+        };
+    }
+
+    /// On to a fragment's depth. Steps of the smallest sampling distance, the last one cut to the segment's end; each
+    /// takes what there is from its middle.
+    pub(super) fn cast(&mut self, end: SegmentEnd, fragment: Fragment) {
+        let depth = match end {
+            SegmentEnd::Fragment => fragment.depth,
+            SegmentEnd::FragmentOrOpaque => fragment.depth.min(self.scene.opaque),
+        };
+        let (from, to) = (self.position, self.distance(depth).max(self.position));
+        let volumes = self.scene.volumes.iter().enumerate();
+        let inside: Vec<_> = volumes
+            .filter(|(number, _)| self.occupancy >> number & 1 != 0)
+            .map(|(_, volume)| volume)
+            .collect();
+        let step = inside.iter().map(|volume| volume.step).reduce(f64::min);
+        if let Some(step) = step.filter(|_| to > from) {
+            self.done.segments.push((from, to, self.occupancy));
+            let length = (to - from) * self.scene.slant;
+            for number in 0..(length / step).ceil() as u64 {
+                let begin = number as f64 * step;
+                let end = (begin + step).min(length);
+                let middle = from + (begin + end) / (2.0 * self.scene.slant);
+                let media = inside.iter().map(|volume| (volume.medium)(middle));
+                self.pass(media, end - begin);
+            }
+        }
+        self.position = to;
+    }
+
+    pub(super) fn toggle(&mut self, fragment: Fragment) {
+        if let Source::Proxy { volume, .. } = Source::of(fragment.order) {
+            self.occupancy ^= 1 << volume;
+        }
+    }
+
+    pub(super) fn blend(&mut self, fragment: Fragment) {
+        let [r, g, b, a] = fragment.color.to_array().map(f64::from);
+        self.add([r, g, b], a);
+    }
+
+    fn pass(&mut self, media: impl Iterator<Item = Medium>, length: f64) {
+        let (mut density, mut light) = (0.0, [0.0; 3]);
+        for medium in media {
+            density += medium.density;
+            for (light, color) in light.iter_mut().zip(medium.color.to_array()) {
+                *light += medium.density * color;
+            }
+        }
+        if density > 0.0 {
+            let color = light.map(|channel| channel / density);
+            self.add(color, -(-density * length).exp_m1());
+        }
+    }
+
+    fn add(&mut self, color: [f64; 3], opacity: f64) {
+        for (light, color) in self.done.light.iter_mut().zip(color) {
+            *light += self.done.transparency * opacity * color;
+        }
+        self.done.transparency *= 1.0 - opacity;
+    }
+
+    fn distance(&self, depth: f32) -> f64 {
+        let [near, far] = self.scene.planes;
+        near * far / (far - f64::from(depth) * (far - near))
+    }
+}

@@ -1,0 +1,79 @@
+//! Section 6.1: the ray through a pixel, cast between the fragments of its list. The paper has it in prose, a sentence a
+//! line; what the prose leaves open stands beside it.
+
+use super::components::{PP_DP, SKIP_BY_ID, START, STOP, STORE_ID};
+use crate::steps::Amendment;
+use crate::steps::pseudo::Algorithm;
+use crate::steps::pseudo::list::{Beginning, Line, Line::*, SegmentEnd, Taken, Test};
+
+/// "Ray casting of the scene is performed by sequentially looping over all entries in the Fragment List. Geometry fragments
+/// are blended directly while volume rendering is performed for the interleaved ray segments. Volume occupancy is tracked
+/// through a bitmask which is updated every time a fragment of a volume proxy geometry is encountered."
+pub const FUSED: Algorithm<Line> = Algorithm {
+    title: "Fused rendering: a ray cast between the fragments of the list",
+    source: "Lindholm et al. 2015, section 6.1",
+    lines: &[Input, BeginRay(Beginning::Outside), Sorted(&EVALUATION)],
+};
+
+/// What is done at an entry of the list.
+const EVALUATION: [Line; 2] = [Cast(SegmentEnd::Fragment), MEET];
+const MEET: Line = If(Test::IsProxy, &[Toggle], &[Blend]);
+
+/// What the prose leaves open.
+pub const FUSED_AMENDMENTS: [Amendment<Line>; 2] = [BEGIN_INSIDE, END_AT_OPAQUE];
+
+/// The eye inside of a volume.
+pub const BEGIN_INSIDE: Amendment<Line> = Amendment {
+    key: "L16",
+    place: "section 6.1, volume occupancy is tracked",
+    printed: &[BeginRay(Beginning::Outside)],
+    amended: &[BeginRay(Beginning::WhatIsOnlyLeft)],
+    why: "no fragment is encountered where a volume is entered that the eye is in",
+    test: "l16_without_where_it_begins_a_ray_is_wrong_exactly_where_it_begins_inside",
+};
+
+/// Proxies behind the opaque surface must be in the list, so that it says where the ray begins.
+pub const END_AT_OPAQUE: Amendment<Line> = Amendment {
+    key: "L16",
+    place: "section 6.1, the interleaved ray segments",
+    printed: &[Cast(SegmentEnd::Fragment)],
+    amended: &[Cast(SegmentEnd::FragmentOrOpaque)],
+    why: "what lies behind the opaque surface is not seen",
+    test: "l16_without_the_opaque_surface_a_ray_goes_on_behind_it",
+};
+
+/// To [`PP_DP`], all that makes it right where the scene has volumes: "to ensure consistency between the individual resolve
+/// passes, we temporarily store the current state of the rendering, including volume occupancy and ray position" (section
+/// 5.2). The state is the ray's, and outlives the subpass.
+pub const FUSED_PP_DP: [Amendment<Line>; 6] = [
+    START,
+    SKIP_BY_ID,
+    STORE_ID,
+    STOP,
+    Amendment {
+        key: "L17",
+        place: "section 5.2, initialize current state",
+        printed: &[InitializeState],
+        amended: &[BeginRay(Beginning::WhatIsOnlyLeft)],
+        why: "the state is a ray's",
+        test: "l17_a_state_that_is_not_kept_loses_what_subpasses_share",
+    },
+    EVALUATE_BUFFER,
+];
+
+/// "Resolve buffer considering current state", with volumes.
+pub const EVALUATE_BUFFER: Amendment<Line> = Amendment {
+    key: "L17",
+    place: "section 5.2, resolve buffer considering current state",
+    printed: &[ResolveBuffer(Taken::All)],
+    amended: &[Elements(&[Cast(SegmentEnd::FragmentOrOpaque), MEET])],
+    why: "the ray goes on from where the subpass before has left it",
+    test: "l17_a_state_that_is_not_kept_loses_what_subpasses_share",
+};
+
+/// ppDP on lists with proxies, for the index: [`PP_DP`], under the name of what [`FUSED_PP_DP`] makes of it.
+pub const PP_DP_ON_RAYS: Algorithm<Line> = Algorithm {
+    title: "per-pixel Depth Peeling with volumes",
+    source: "Lindholm et al. 2015, sections 5.2 and 6.1",
+    ..PP_DP
+};
