@@ -18,6 +18,10 @@
 //! 0  fragment, image, error  plain types
 //! ```
 
+// Tests inside of the crate use the scenes of the tests outside.
+#[cfg(test)]
+extern crate self as onionskin;
+
 pub mod emulator;
 pub mod error;
 pub mod fragment;

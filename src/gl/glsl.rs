@@ -3,6 +3,9 @@
 //! An include is replaced by the file, between `#line` directives that give every file a number of its own; the driver
 //! puts that number before each message, and [`Source::explain`] puts the file's name in its place.
 
+#[cfg(test)]
+pub(crate) mod changed;
+
 use super::network;
 use crate::error::{Error, Result};
 
@@ -323,10 +326,7 @@ impl Source {
             ELEMENTS => Some(elements.as_str()),
             EACH_VOLUME => Some(volumes.as_str()),
             HALVINGS => Some(halvings.as_str()),
-            _ => FILES
-                .iter()
-                .find(|(n, _)| *n == file)
-                .map(|(_, text)| *text),
+            _ => file_of(file),
         })?;
         if let (false, Some((version, rest))) = (constants.is_empty(), source.text.split_once('\n'))
         {
@@ -404,6 +404,14 @@ impl Source {
         });
         explained.collect::<Vec<_>>().join("\n")
     }
+}
+
+/// A file's text.
+fn file_of(name: &str) -> Option<&'static str> {
+    let (_, text) = FILES.iter().find(|(other, _)| *other == name)?;
+    #[cfg(test)]
+    let text = &changed::text(name, text);
+    Some(text)
 }
 
 /// The file that a line includes.

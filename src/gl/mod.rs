@@ -13,7 +13,7 @@ mod context;
 mod draw_buffers;
 mod driver;
 mod geometry;
-mod glsl;
+pub(crate) mod glsl;
 mod interpreter;
 mod machine;
 pub mod network;

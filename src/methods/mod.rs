@@ -24,6 +24,8 @@ mod requirements;
 mod slicing;
 mod sorting;
 mod stats;
+#[cfg(test)]
+mod volume_controls;
 
 pub use a_buffer::{
     ABufferCounts, ABufferOptions, Band, FEW, Fill, LARGEST_NETWORK, Manager, RecordColor, Room,
