@@ -1,5 +1,7 @@
 //! Fused rendering: volumes and surfaces in one list, by A-buffers on GL, against closed forms and against the f64 caster.
 
+use std::cell::Cell;
+
 use glam::{DAffine3, DVec3};
 use onionskin::image::Comparison;
 use onionskin::methods::{ABufferOptions, CountBy, Fill, Frame, Manager, RecordColor, Sort};
@@ -7,9 +9,12 @@ use onionskin::scene::{Transfer, TransferPoint, Volume};
 use onionskin::{Context, Method, Renderer, Scene};
 use proptest::test_runner::{TestCaseError, TestError};
 
+#[path = "common/fog_plans.rs"]
+mod fog_plans;
 #[path = "common/fog_scenes.rs"]
 #[allow(dead_code)]
 mod fog_scenes;
+use fog_plans::{Plan, plans};
 use fog_scenes::{Random, fog_and_pane, off, painted, random_scene};
 #[path = "common/slack.rs"]
 #[allow(dead_code)]
@@ -74,26 +79,55 @@ fn exact(context: &Context, scene: &Scene) -> Frame {
     renderer.render(scene, &Method::Exact).unwrap()
 }
 
+/// What is wrong with a plan's image, if anything; otherwise how far it is off.
+fn fault(context: &Context, plan: &Plan, change: fn(&mut Scene)) -> Result<f64, String> {
+    let scene = plan.scene();
+    let mut other = scene.clone();
+    change(&mut other);
+    let frame = render(context, &other, DFB);
+    let (compared, worst) = compare(&frame, &exact(context, &scene), &scene);
+    if worst > BOUND || compared < 48 * 36 / 2 || frame.stats.lost != Some(0) {
+        return Err(format!(
+            "{compared} compared, {worst:e} off, {}",
+            frame.stats
+        ));
+    }
+    Ok(worst)
+}
+
 #[test]
 fn l16_random_scenes_are_the_f64_caster_s() {
     let context = Context::headless().unwrap();
-    let largest = std::cell::Cell::new(0.0_f64);
-    let ran = stack::runner(40).run(&(0..1_000_000_u64), |seed| {
-        let scene = random_scene(seed);
-        let frame = render(&context, &scene, DFB);
-        let (compared, worst) = compare(&frame, &exact(&context, &scene), &scene);
+    let largest = Cell::new(0.0_f64);
+    let ran = stack::runner(40).run(&plans(), |plan| {
+        let worst = fault(&context, &plan, |_| ()).map_err(TestCaseError::fail)?;
         largest.set(largest.get().max(worst));
-        if worst > BOUND || compared < 48 * 36 * 3 / 4 || frame.stats.lost != Some(0) {
-            let what = format!("{compared} compared, {worst:e} off, {}", frame.stats);
-            return Err(TestCaseError::fail(what));
-        }
         Ok(())
     });
     match ran {
         Ok(()) => println!("at most {:e} off", largest.get()),
-        Err(TestError::Fail(why, seed)) => panic!("scene {seed}: {why}"),
+        Err(TestError::Fail(why, plan)) => panic!("{why}\n{plan:#?}"),
         Err(other) => panic!("{other}"),
     }
+}
+
+/// A box that is taken away is all that is left of the plan, whatever else there was.
+#[test]
+fn a_failure_shrinks_to_what_makes_it_fail() {
+    let context = Context::headless().unwrap();
+    let ran = stack::runner(40).run(&plans(), |plan| {
+        let without = |scene: &mut Scene| _ = scene.volumes.pop();
+        fault(&context, &plan, without).map_err(TestCaseError::fail)?;
+        Ok(())
+    });
+    let Err(TestError::Fail(_, plan)) = ran else {
+        panic!("a volume less went unnoticed");
+    };
+    assert_eq!(plan.volumes.len(), 1, "{plan:?}");
+    assert!(
+        plan.surfaces.is_empty() && plan.opaque.is_empty(),
+        "{plan:?}"
+    );
 }
 
 #[test]

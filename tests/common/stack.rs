@@ -226,6 +226,7 @@ pub fn runner(cases: u32) -> TestRunner {
     bytes[..8].copy_from_slice(&seed.to_le_bytes());
     let config = Config {
         cases,
+        max_shrink_iters: 1000,
         failure_persistence: None,
         ..Config::default()
     };
