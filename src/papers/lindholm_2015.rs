@@ -218,6 +218,15 @@ pub const COUNT_WHILE_FILLING: Amendment = Amendment {
     test: "l10_the_fill_counts_and_no_geometry_pass_is_added",
 };
 
+/// [`CLEAR_AND_FILL`] with [`COUNT_WHILE_FILLING`]. A listing of its own, so that what amends it from outside, as [`PROXIES`]
+/// does, finds what is counted.
+pub const CLEAR_AND_COUNTING_FILL: Listing = Listing {
+    title: "Clear Step, and Fill Step that counts along",
+    source: "Lindholm et al. 2015, figure 3 and section 5.1",
+    dialect: Dialect::Calls,
+    steps: steps! { run CLEAR_AND_FILL amended by &[COUNT_WHILE_FILLING]; },
+};
+
 /// To [`PP_AO`]: errata L5 to L7. A pixel belongs to one segment by its own count, which needs no mark and has 32 bits;
 /// the last segment takes every pixel that is left.
 pub const BY_COUNTER: Amendment = Amendment {

@@ -289,12 +289,12 @@ impl ABuffer {
         if self.ordered(machine) {
             fill.push(paper::ORDERED);
         }
-        if options.as_printed && options.pp_ao {
-            fill.push(paper::COUNT_WHILE_FILLING);
-        }
-        // Last, so that what counts along counts proxies, too.
         fill.extend_from_slice(proxies);
-        run(&paper::CLEAR_AND_FILL, &fill, Variables::new(), machine)?;
+        let listing = match options.as_printed && options.pp_ao {
+            true => &paper::CLEAR_AND_COUNTING_FILL,
+            false => &paper::CLEAR_AND_FILL,
+        };
+        run(listing, &fill, Variables::new(), machine)?;
         self.resolve(machine, band.layers)
     }
 
