@@ -3,22 +3,17 @@
 
 use std::cell::Cell;
 
-use onionskin::emulator::{RayScene, RayVolume, run_on_rays};
-use onionskin::fragment::{Fragment, Rgba, Source};
-use onionskin::image::Image;
-use onionskin::methods::{ABufferOptions, Frame, Manager, RecordColor};
-use onionskin::oracle::volumes::Ray;
+use onionskin::methods::Manager;
 use onionskin::papers::lindholm_2015::components::PP_DP;
 use onionskin::papers::lindholm_2015::fused::{FUSED, FUSED_AMENDMENTS, FUSED_PP_DP};
-use onionskin::papers::vtk;
-use onionskin::scene::{Medium, Mesh, Transfer, TransferPoint, Volume};
-use onionskin::steps::pseudo::Algorithm;
-use onionskin::steps::pseudo::list::Line;
-use onionskin::steps::{Amendment, Variables, run};
-use onionskin::{Context, Method, Renderer, Scene};
+use onionskin::scene::{Transfer, TransferPoint};
+use onionskin::{Context, Scene};
 use proptest::prelude::*;
 use proptest::test_runner::TestError;
 
+#[path = "common/emulated.rs"]
+#[allow(dead_code)]
+mod emulated;
 #[path = "common/fog_plans.rs"]
 mod fog_plans;
 #[path = "common/fog_scenes.rs"]
@@ -33,152 +28,12 @@ mod slack;
 #[path = "common/stack.rs"]
 #[allow(dead_code)]
 mod stack;
+use emulated::{Pixels, apart, counts, on_gl};
 use fog_plans::plans;
 use fog_scenes::fog_and_pane;
-use lists::{Lists, machine};
 
 /// Depths are f32: see `gl_volumes.rs`.
 const BOUND: f64 = 1e-5;
-
-/// A scene's pixels, row by row from the top.
-struct Pixels<'s> {
-    scene: &'s Scene,
-    surfaces: Lists,
-    /// Bottom row first.
-    opaque_depths: Vec<f32>,
-    /// What lies behind all transparent surfaces and volumes.
-    behind: Image,
-}
-
-impl<'s> Pixels<'s> {
-    fn of(context: &Context, scene: &'s Scene) -> Self {
-        let mut gl = machine(context, scene);
-        run(&vtk::OPAQUE_FIRST, &[], Variables::new(), &mut gl).unwrap();
-        let mut opaque = scene.clone().with_volumes(Vec::new());
-        opaque.meshes.retain(|mesh: &Mesh| mesh.opaque);
-        Self {
-            scene,
-            surfaces: Lists::of(context, scene),
-            opaque_depths: gl.read_depths(vtk::OPAQUE_DEPTH).unwrap(),
-            behind: render(context, &opaque, &Method::Exact).image,
-        }
-    }
-
-    /// What the Fill Step leaves of a pixel: GL's surfaces, and where its ray crosses the boxes.
-    fn list(&self, ray: &Ray, pixel: usize) -> Vec<Fragment> {
-        let surfaces = self.surfaces.pixels[pixel].iter().map(|captured| Fragment {
-            depth: captured.depth,
-            color: captured.color,
-            order: Source::Surface(captured.order).id(),
-        });
-        let mut list: Vec<Fragment> = surfaces.collect();
-        let endless = Ray {
-            near: 0.0,
-            far: f64::INFINITY,
-            ..*ray
-        };
-        for (number, volume) in (0..).zip(&self.scene.volumes) {
-            let crossing = slack::crossing(&endless, volume);
-            for (distance, leaves) in crossing.into_iter().zip([false, true]) {
-                // Nothing is drawn behind the eye; what is before the near plane or behind the far one is clamped.
-                if distance > 0.0 && distance < f64::INFINITY {
-                    let depth = ray.far / (ray.far - ray.near) * (1.0 - ray.near / distance);
-                    let source = Source::Proxy {
-                        volume: number,
-                        leaves,
-                    };
-                    list.push(Fragment {
-                        depth: depth.clamp(0.0, 1.0) as f32,
-                        color: Rgba::default(),
-                        order: source.id(),
-                    });
-                }
-            }
-        }
-        list
-    }
-
-    /// The emulated image, and subpasses and records read of all pixels.
-    fn emulate(
-        &self,
-        algorithm: &Algorithm<Line>,
-        amendments: &[Amendment<Line>],
-        array: u32,
-    ) -> (Image, [u64; 2]) {
-        let [width, height] = self.scene.size;
-        let mut image = self.behind.clone();
-        let mut counts = [0, 0];
-        for (pixel, seen) in image.pixels.iter_mut().enumerate() {
-            let place = [pixel as u32 % width, height - 1 - pixel as u32 / width];
-            let ray = Ray::through(&self.scene.camera, [width, height], place);
-            let media: Vec<_> = self.scene.volumes.iter().map(|v| medium(&ray, v)).collect();
-            let volumes = self.scene.volumes.iter().zip(&media);
-            let scene = RayScene {
-                planes: [ray.near, ray.far],
-                slant: ray.direction.length(),
-                opaque: self.opaque_depths[(place[1] * width + place[0]) as usize],
-                volumes: volumes
-                    .map(|(volume, medium)| RayVolume {
-                        medium,
-                        step: volume.sampling_distance(),
-                    })
-                    .collect(),
-            };
-            let list = self.list(&ray, pixel);
-            if list.is_empty() {
-                continue;
-            }
-            let pixels = [(list, scene)];
-            let (lists, rays) = run_on_rays(algorithm, amendments, &pixels, array, 100).unwrap();
-            counts[0] += u64::from(lists.pixels[0].subpasses);
-            counts[1] += u64::from(lists.pixels[0].records_read);
-            let [r, g, b] = rays[0].light;
-            let through =
-                |behind: f32, light: f64| (light + rays[0].transparency * f64::from(behind)) as f32;
-            *seen = Rgba::new(
-                through(seen.r, r),
-                through(seen.g, g),
-                through(seen.b, b),
-                1.0,
-            );
-        }
-        (image, counts)
-    }
-}
-
-fn medium<'v>(ray: &'v Ray, volume: &'v Volume) -> impl Fn(f64) -> Medium + 'v {
-    let to_index = volume.world_to_index();
-    move |distance| {
-        let place = to_index.transform_point3(ray.origin + ray.direction * distance);
-        volume.transfer.at(volume.at_index(place))
-    }
-}
-
-fn render(context: &Context, scene: &Scene, method: &Method) -> Frame {
-    let [width, height] = scene.size;
-    let mut renderer = Renderer::new(context, width, height).unwrap();
-    renderer.render(scene, method).unwrap()
-}
-
-fn on_gl(context: &Context, scene: &Scene, manager: Manager, peel: Option<u32>) -> Frame {
-    let options = ABufferOptions {
-        manager,
-        color: RecordColor::Float,
-        pp_dp: peel.is_some(),
-        peel: peel.unwrap_or(ABufferOptions::DEFAULT.peel),
-        ..ABufferOptions::DEFAULT
-    };
-    render(context, scene, &Method::ABuffer(options))
-}
-
-/// How far the two are apart, less what the rasteriser may move the boxes by.
-fn apart(frame: &Frame, emulated: Image, scene: &Scene) -> f64 {
-    let emulated = Frame {
-        image: emulated,
-        ..frame.clone()
-    };
-    slack::compare(frame, &emulated, scene).1
-}
 
 /// Panes in, before and behind overlapping volumes, the eye in one, in two or in none of them: every ray meets the same.
 fn whole_scenes() -> Vec<Scene> {
@@ -227,9 +82,7 @@ fn l16_l17_the_pseudocode_and_the_shaders_see_the_same_light() {
                 let off = apart(&frame, image, &scene);
                 assert!(off < BOUND, "{what}: {off}");
                 worst = worst.max(off);
-                let counts = frame.stats.a_buffer.unwrap();
-                let on_gl = [counts.subpasses, counts.records_read];
-                assert_eq!(emulated, on_gl, "{what}");
+                assert_eq!(emulated, counts(&frame), "{what}");
             }
         }
     }
