@@ -187,6 +187,35 @@ fn c02_c03_iterations_are_those_of_the_surfaces_alone() {
     }
 }
 
+/// The scene of Carr et al.'s figure 1 with a volume instead of its generated slices: the cone's two layers, and one that
+/// finds nothing.
+#[test]
+fn c03_figure_1_with_a_volume_takes_3_iterations_instead_of_259() {
+    let context = Context::headless().unwrap();
+    let mut scene = Scene::load_at("examples/scenes/slices.toml", Some([40, 30])).unwrap();
+    scene.meshes.remove(0);
+    scene.volumes = fog_and_pane(5.0, 0.0, 0.4, 0.5).volumes;
+    let stats = render(&context, &scene, &hybrid(), 256).stats;
+    assert_eq!(stats.iterations, 3);
+    let layers = Method::LayerPeeling(Default::default());
+    let stats = render(&context, &scene, &layers, 256).stats;
+    assert_eq!(stats.iterations, 259);
+}
+
+/// A mesh whose triangles are sorted among themselves crosses the slices: it is peeled as if it were not.
+#[test]
+fn sorted_meshes_that_cross_the_slices_come_out_right() {
+    let context = Context::headless().unwrap();
+    let mut scene = random_scene(4);
+    scene.meshes = Scene::load("examples/scenes/slices.toml").unwrap().meshes;
+    assert!(scene.meshes[0].sorted);
+    let [hybrid, layers] = [hybrid(), Method::LayerPeeling(Default::default())]
+        .map(|method| render(&context, &scene, &method, 16).image);
+    // As many layers as there are slices of both: see BOUND.
+    let error = Comparison::new(&hybrid, &layers, BOUND).unwrap();
+    assert_eq!(error.over, 0, "{error:?}");
+}
+
 /// Layer peeling takes an iteration for each of them.
 #[test]
 fn c04_layer_peeling_takes_an_iteration_a_slice() {

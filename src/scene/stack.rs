@@ -23,7 +23,7 @@ impl Scene {
     ///
     /// The part of the view direction that the boxes take up between the near and the far plane is cut into equal slabs,
     /// and a slice stands in the middle of each. A slice is the convex hull of the boxes' cross-sections; what it looks
-    /// like, and that it is clear outside of the boxes, [`Shading::Slice`] says.
+    /// like, and that it is clear outside of the boxes, [`Shading::Slice`] says. No other mesh counts as sorted.
     pub(crate) fn as_slices(&self, count: u32) -> Stack {
         let view = View::of(&self.camera);
         let boxes: Vec<[DVec3; 8]> = self
@@ -55,7 +55,12 @@ impl Scene {
             sorted: true,
             ..mesh
         };
-        let mut meshes = self.meshes.clone();
+        // Sorted triangles need not be sorted among the slices, which they may cross.
+        let unsorted = self.meshes.iter().map(|mesh| Mesh {
+            sorted: false,
+            ..mesh.clone()
+        });
+        let mut meshes: Vec<Mesh> = unsorted.collect();
         meshes.push(slices);
         Stack {
             scene: Self {
