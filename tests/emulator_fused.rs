@@ -2,6 +2,7 @@
 //! few depths, against light that is composited back to front, and closed forms.
 
 use glam::DVec3;
+use onionskin::emulator::RayHappening::{Begins, Blends, IsCast, Toggles};
 use onionskin::emulator::{RayRun, RayScene, RayVolume, run_on_rays};
 use onionskin::fragment::{Fragment, Rgba, Source};
 use onionskin::papers::lindholm_2015::components::PP_DP;
@@ -254,6 +255,40 @@ fn l16_a_toggle_that_is_left_out_is_noticed() {
         .iter()
         .filter(|case| !case.comes_out(&FUSED, &[begin, end, NO_TOGGLE], 9));
     assert!(wrong.count() > cases.len() / 2);
+}
+
+/// The eye in the first volume; distances 1 to 4, samples 0.3 long on a ray that slants by 1.25.
+#[test]
+fn l16_a_ray_writes_down_what_happens_on_it() {
+    let case = Case {
+        volumes: [(None, 2), (Some(1), 3)],
+        pane: 1,
+        opaque: Some(3),
+    };
+    let run = case.run(&FUSED, &FUSED_AMENDMENTS, 9);
+    let happened: Vec<_> = run
+        .events
+        .iter()
+        .map(|event| (event.what, event.occupancy))
+        .collect();
+    // At depth 0.4 a distance of 1/(1 - 0.75 x 0.4) = 1.43, at 0.75 of 2.29: 1.8 samples, 3.6, 7.1.
+    let expected = [
+        (Begins, 0b01),
+        (IsCast(2), 0b01),
+        (Blends(7), 0b01),
+        (Toggles(1), 0b11),
+        (IsCast(4), 0b11),
+        (Toggles(0), 0b10),
+        (IsCast(8), 0b10),
+        (Toggles(1), 0b00),
+    ];
+    assert_eq!(happened, expected);
+    let table = run.to_string();
+    assert_eq!(table.lines().count(), 9, "{table}");
+    assert!(
+        table.contains("meets surface 7            1.4286    1  "),
+        "{table}"
+    );
 }
 
 #[test]

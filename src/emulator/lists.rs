@@ -5,7 +5,7 @@ mod ray;
 
 use pixel::{Peel, Pixel};
 use ray::Ray;
-pub use ray::{RayRun, RayScene, RayVolume};
+pub use ray::{RayEvent, RayHappening, RayRun, RayScene, RayVolume};
 
 use crate::error::{Error, Result};
 use crate::fragment::{Fragment, Source};

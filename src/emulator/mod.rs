@@ -25,7 +25,10 @@ mod shaders;
 mod stages;
 mod state;
 
-pub use lists::{ListRun, RayRun, RayScene, RayVolume, Resolved, run_on_lists, run_on_rays};
+pub use lists::{
+    ListRun, RayEvent, RayHappening, RayRun, RayScene, RayVolume, Resolved, run_on_lists,
+    run_on_rays,
+};
 pub use machine::{Emulator, Kind, Surface};
 pub use pseudo::{AlgorithmRun, run_algorithm};
 pub use record::{Draw, Fate, Outcome, Record};

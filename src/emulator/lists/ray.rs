@@ -1,5 +1,7 @@
 //! The ray through a pixel that is cast between the fragments of its list (Lindholm et al. 2015, section 6.1), in f64.
 
+use std::fmt;
+
 use crate::fragment::{Fragment, Source};
 use crate::scene::Medium;
 use crate::steps::pseudo::list::{Beginning, SegmentEnd};
@@ -33,8 +35,57 @@ pub struct RayRun {
     pub light: [f64; 3],
     /// 1 for a ray that met nothing.
     pub transparency: f64,
-    /// The segments in which it was inside of volumes: from where, to where, and in which, as a bitmask.
-    pub segments: Vec<(f64, f64, u32)>,
+    /// What happened on it, front to back.
+    pub events: Vec<RayEvent>,
+}
+
+/// Something that happened on a ray, and what it left.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RayEvent {
+    /// What it was.
+    pub what: RayHappening,
+    /// Where the ray was then.
+    pub distance: f64,
+    /// The volumes that it was inside of then, as a bitmask.
+    pub occupancy: u32,
+    /// How much of what is behind still comes through.
+    pub transparency: f64,
+}
+
+/// What can happen on a ray.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RayHappening {
+    /// It begins at the near plane.
+    Begins,
+    /// It is cast through volumes, in so many samples.
+    IsCast(u64),
+    /// It meets a face of this volume's box.
+    Toggles(u32),
+    /// It meets the surface with this id.
+    Blends(u32),
+}
+
+impl fmt::Display for RayRun {
+    /// A line an event.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(f, "  {:<26} distance  occupancy  transparency", "the ray")?;
+        for event in &self.events {
+            let what = match event.what {
+                RayHappening::Begins => "begins".to_owned(),
+                RayHappening::IsCast(1) => "is cast, 1 sample".to_owned(),
+                RayHappening::IsCast(count) => format!("is cast, {count} samples"),
+                RayHappening::Toggles(volume) => format!("crosses a face of volume {volume}"),
+                RayHappening::Blends(surface) => format!("meets surface {surface}"),
+            };
+            let (distance, occupancy) = (event.distance, event.occupancy);
+            let transparency = event.transparency;
+            writeln!(
+                f,
+                "  {what:<26} {distance:<8.4}  {occupancy:<9b}  {transparency:.4}"
+            )?;
+        }
+        Ok(())
+    }
 }
 
 /// The state that outlives a subpass.
@@ -54,7 +105,7 @@ impl<'a> Ray<'a> {
             done: RayRun {
                 light: [0.0; 3],
                 transparency: 1.0,
-                segments: Vec::new(),
+                events: Vec::new(),
             },
         }
     }
@@ -74,6 +125,7 @@ impl<'a> Ray<'a> {
             Beginning::Outside => 0,
             Beginning::WhatIsOnlyLeft => left & !entered,
         };
+        self.record(RayHappening::Begins);
     }
 
     /// On to a fragment's depth. Steps of the smallest sampling distance, the last one cut to the segment's end; each
@@ -91,15 +143,17 @@ impl<'a> Ray<'a> {
             .collect();
         let step = inside.iter().map(|volume| volume.step).reduce(f64::min);
         if let Some(step) = step.filter(|_| to > from) {
-            self.done.segments.push((from, to, self.occupancy));
             let length = (to - from) * self.scene.slant;
-            for number in 0..(length / step).ceil() as u64 {
+            let samples = (length / step).ceil() as u64;
+            for number in 0..samples {
                 let begin = number as f64 * step;
                 let end = (begin + step).min(length);
                 let middle = from + (begin + end) / (2.0 * self.scene.slant);
                 let media = inside.iter().map(|volume| (volume.medium)(middle));
                 self.pass(media, end - begin);
             }
+            self.position = to;
+            self.record(RayHappening::IsCast(samples));
         }
         self.position = to;
     }
@@ -107,12 +161,23 @@ impl<'a> Ray<'a> {
     pub(super) fn toggle(&mut self, fragment: Fragment) {
         if let Source::Proxy { volume, .. } = Source::of(fragment.order) {
             self.occupancy ^= 1 << volume;
+            self.record(RayHappening::Toggles(volume));
         }
     }
 
     pub(super) fn blend(&mut self, fragment: Fragment) {
         let [r, g, b, a] = fragment.color.to_array().map(f64::from);
         self.add([r, g, b], a);
+        self.record(RayHappening::Blends(fragment.order));
+    }
+
+    fn record(&mut self, what: RayHappening) {
+        self.done.events.push(RayEvent {
+            what,
+            distance: self.position,
+            occupancy: self.occupancy,
+            transparency: self.done.transparency,
+        });
     }
 
     fn pass(&mut self, media: impl Iterator<Item = Medium>, length: f64) {
