@@ -25,10 +25,11 @@ pub struct Ejection {
 /// A field of the pair.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum EjectionPart {
-    /// The number of particles: a shell swept up by the front, and a wind that thins out with the distance squared.
+    /// The number of particles: a shell swept up by the front, and a wind around the plane z = 0 that thins out with the
+    /// distance squared, in two spiral arms as a turning sun winds them (Parker 1958).
     #[default]
     Particles,
-    /// The energy: dense at the front's nose, and a trail of it back to the sun.
+    /// The energy: dense at the front's nose, which frays in seven tongues, and a trail of it back to the sun.
     Energy,
 }
 
@@ -82,11 +83,13 @@ impl Field for Ejection {
         match self.part {
             EjectionPart::Particles => {
                 let shell = bell(behind, 0.08) * bell(aside, 1.0);
-                let wind = 0.08 / (1.0 + 40.0 * distance.powi(2));
-                (0.9 * shell + wind).min(1.0)
+                let arms = 0.5 + 0.5 * (2.0 * point.y.atan2(point.x) + 12.0 * distance).cos();
+                let wind = arms * bell(point.z, 0.05 + 0.15 * distance);
+                (0.9 * shell + 0.3 * wind / (1.0 + 12.0 * distance.powi(2))).min(1.0)
             }
             EjectionPart::Energy => {
-                let nose = bell(behind, 0.12) * bell(aside, 0.5);
+                let tongues = 1.0 + 0.12 * (7.0 * point.z.atan2(point.y)).cos();
+                let nose = bell(behind, 0.12) * bell(aside * tongues, 0.5);
                 let trail = 0.35 * bell(aside, 0.3) * (1.0 - distance / front).clamp(0.0, 1.0);
                 (0.65 * nose + trail).min(1.0)
             }
