@@ -146,6 +146,23 @@ fn streamlines_of_a_rotation_are_closed_tubes_on_circles() {
     assert!((all - 1.0).abs() < 0.01, "{all}");
 }
 
+/// dx/dz = x z / (1 + z squared) goes from x at z = 0 along x sqrt(1 + z squared).
+#[test]
+fn a_bundle_opens_as_a_hyperbola_around_its_tie() {
+    let start = DVec3::new(0.3, -0.2, 0.0);
+    let step = 1.0 / 64.0;
+    let velocity = |point| Flow::Bundle.velocity(point);
+    for direction in [1.0, -1.0] {
+        let mut point = start;
+        for _ in 0..128 {
+            point = runge_kutta(velocity, point, direction * step);
+        }
+        let expected = start * 5.0_f64.sqrt() + DVec3::Z * 2.0 * direction;
+        // 128 steps' errors of the fifth order: 128 (1/64)^5 is 1e-7, times derivatives below 10.
+        assert!(point.distance(expected) < 1e-6, "{point} {expected}");
+    }
+}
+
 #[test]
 fn arrows_are_closed_and_as_long_as_the_flow_is_fast() {
     let seeds = Seeds {

@@ -48,14 +48,12 @@ fn flow(keys: &Keys) -> Result<Flow> {
     swirl.winding = keys.number32("winding", &ANY)?.unwrap_or(swirl.winding);
     swirl.turns = keys.number32("turns", &ANY)?.unwrap_or(swirl.turns);
     swirl.jet = keys.number32("jet", &ANY)?.unwrap_or(swirl.jet);
-    let swirl = Flow::Swirl(swirl);
-    let named = keys.text("flow")?;
-    let choices = [("swirl", ()), ("rotation", ())];
-    keys.choice("flow", &choices)?;
-    Ok(match named {
-        Some("rotation") => Flow::Rotation,
-        _ => swirl,
-    })
+    let flows = [
+        ("swirl", Flow::Swirl(swirl)),
+        ("rotation", Flow::Rotation),
+        ("bundle", Flow::Bundle),
+    ];
+    Ok(keys.choice("flow", &flows)?.unwrap_or(Flow::Swirl(swirl)))
 }
 
 fn seeds(keys: &Keys, default: Seeds) -> Result<Seeds> {

@@ -10,12 +10,15 @@ use super::volumes::{Field, Swirl};
 use crate::scene::chance::Chance;
 
 /// A steady flow.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Flow {
     /// A vortex with a jet; its lattice gives the size only.
     Swirl(Swirl),
     /// A rigid rotation about the z axis, once in 2 pi.
     Rotation,
+    /// A bundle along the z axis that is tied together at z = 0: a line's distance from the axis grows as
+    /// sqrt(1 + z squared).
+    Bundle,
 }
 
 impl Default for Flow {
@@ -30,6 +33,10 @@ impl Flow {
         match self {
             Self::Swirl(swirl) => swirl.velocity(point),
             Self::Rotation => DVec3::Z.cross(point),
+            Self::Bundle => {
+                let apart = point.z / (1.0 + point.z * point.z);
+                DVec3::new(point.x * apart, point.y * apart, 1.0)
+            }
         }
     }
 
@@ -39,7 +46,7 @@ impl Flow {
                 within("size", swirl.lattice.size, LENGTH)?;
                 swirl.check()
             }
-            Self::Rotation => Ok(()),
+            Self::Rotation | Self::Bundle => Ok(()),
         }
     }
 }

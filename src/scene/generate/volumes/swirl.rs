@@ -10,7 +10,7 @@ use crate::scene::generate::limits::within;
 
 /// A vortex after Lamb and Oseen whose axis winds around z, with a jet along it. Lengths are parts of half the cube's
 /// edge; the samples are the flow's speed, of order 1.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Swirl {
     /// Where it is sampled.
     pub lattice: Lattice,
