@@ -4,12 +4,12 @@ use onionskin::methods::{Complexity, CountBy};
 use onionskin::scene::generate::{Quads, quads};
 use onionskin::{Context, Renderer, Scene};
 
-/// A file, and its volumes and meshes.
-const SCENES: [(&str, usize, usize); 4] = [
-    ("molecule_fused", 2, 5),
-    ("space", 2, 3),
-    ("medical", 2, 2),
-    ("flow", 1, 2),
+/// A file, its volumes and meshes, and what its triangles are thousands of, at the least.
+const SCENES: [(&str, usize, usize, usize); 4] = [
+    ("molecule_fused", 2, 5, 160),
+    ("space", 2, 3, 160),
+    ("medical", 2, 4, 500),
+    ("flow", 1, 2, 1000),
 ];
 
 const SIZE: [u32; 2] = [256, 192];
@@ -32,14 +32,13 @@ fn falls(complexity: &Complexity, part: u32) -> bool {
 
 #[test]
 fn the_scenes_have_the_sources_of_table_1() {
-    for (name, volumes, meshes) in SCENES {
+    for (name, volumes, meshes, thousands) in SCENES {
         let scene = load(name);
         assert_eq!(scene.volumes.len(), volumes, "{name}");
-        assert!(
-            scene.meshes.len() >= meshes,
-            "{name}: {}",
-            scene.meshes.len()
-        );
+        assert_eq!(scene.meshes.len(), meshes, "{name}");
+        let triangles = scene.triangle_count();
+        println!("{name}: {triangles} triangles");
+        assert!(triangles > 1000 * thousands, "{name}: {triangles}");
         let transparent = scene.meshes.iter().filter(|mesh| !mesh.opaque);
         assert!(transparent.count() > 0, "{name}");
     }
