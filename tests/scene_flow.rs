@@ -121,8 +121,8 @@ fn runge_kutta_goes_around_a_circle_at_the_fourth_order() {
 #[test]
 fn streamlines_of_a_rotation_are_closed_tubes_on_circles() {
     let parameters = Streamlines {
-        flow: Flow::Rotation,
         seeds: Seeds {
+            flow: Flow::Rotation,
             count: 9,
             centre: [1.0, 0.0, 0.0],
             extent: [0.0, 0.0, 1.0],
@@ -166,14 +166,14 @@ fn a_bundle_opens_as_a_hyperbola_around_its_tie() {
 #[test]
 fn arrows_are_closed_and_as_long_as_the_flow_is_fast() {
     let seeds = Seeds {
+        flow: Flow::Rotation,
         count: 1,
         centre: [2.0, 0.0, 0.0],
         extent: [0.0; 3],
         seed: 0,
     };
     let mesh = arrows(&Arrows {
-        flow: Flow::Rotation,
-        seeds,
+        seeds: seeds.clone(),
         length: 0.5,
         sides: 7,
     })
@@ -186,13 +186,10 @@ fn arrows_are_closed_and_as_long_as_the_flow_is_fast() {
         "speed 2 at 0.5: {bounds:?}"
     );
     let still = Seeds {
-        count: 1,
         centre: [0.0; 3],
-        extent: [0.0; 3],
-        seed: 0,
+        ..seeds
     };
     let none = arrows(&Arrows {
-        flow: Flow::Rotation,
         seeds: still,
         ..Arrows::default()
     })
@@ -210,13 +207,13 @@ fn streamlines_of_a_swirl_stay_finite_and_end_where_it_stands_still() {
         ..Swirl::default()
     });
     let seeds = Seeds {
+        flow: still,
         count: 2,
         centre: [0.0; 3],
         extent: [0.0; 3],
         seed: 0,
     };
     let none = streamlines(&Streamlines {
-        flow: still,
         seeds,
         ..Streamlines::default()
     })

@@ -6,22 +6,23 @@ use super::limits::ANY;
 use crate::error::Result;
 use crate::scene::generate::{Arrows, Flow, Generator, Seeds, Streamlines, Swirl};
 
-/// The keys of a flow, of its seeds, and of streamlines.
-pub(super) const STREAMLINES: [&str; 16] = [
+/// The keys of a flow and its seeds.
+const SEEDS: [&str; 10] = [
     "flow", "size", "core", "winding", "turns", "jet", "count", "centre", "extent", "seed",
-    "length", "steps", "tube", "sides", "color", "opacity",
 ];
 
-/// The keys of a flow, of its seeds, and of arrows.
-pub(super) const ARROWS: [&str; 14] = [
-    "flow", "size", "core", "winding", "turns", "jet", "count", "centre", "extent", "seed",
-    "length", "sides", "color", "opacity",
+/// The keys of streamlines.
+pub(super) const STREAMLINES: [&[&str]; 2] = [
+    &SEEDS,
+    &["length", "steps", "tube", "sides", "color", "opacity"],
 ];
+
+/// The keys of arrows.
+pub(super) const ARROWS: [&[&str]; 2] = [&SEEDS, &["length", "sides", "color", "opacity"]];
 
 pub(super) fn streamlines(keys: &Keys) -> Result<Box<dyn Generator>> {
     let default = Streamlines::default();
     Ok(Box::new(Streamlines {
-        flow: flow(keys)?,
         seeds: seeds(keys, default.seeds)?,
         length: keys.number32("length", &ANY)?.unwrap_or(default.length),
         steps: keys.integer32("steps")?.unwrap_or(default.steps),
@@ -33,7 +34,6 @@ pub(super) fn streamlines(keys: &Keys) -> Result<Box<dyn Generator>> {
 pub(super) fn arrows(keys: &Keys) -> Result<Box<dyn Generator>> {
     let default = Arrows::default();
     Ok(Box::new(Arrows {
-        flow: flow(keys)?,
         seeds: seeds(keys, default.seeds)?,
         length: keys.number32("length", &ANY)?.unwrap_or(default.length),
         sides: keys.integer32("sides")?.unwrap_or(default.sides),
@@ -58,6 +58,7 @@ fn flow(keys: &Keys) -> Result<Flow> {
 
 fn seeds(keys: &Keys, default: Seeds) -> Result<Seeds> {
     Ok(Seeds {
+        flow: flow(keys)?,
         count: keys.integer32("count")?.unwrap_or(default.count),
         centre: keys.vector32("centre", &ANY)?.unwrap_or(default.centre),
         extent: keys.vector32("extent", &ANY)?.unwrap_or(default.extent),

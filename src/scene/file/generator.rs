@@ -18,36 +18,36 @@ type Reader = fn(&Keys) -> Result<Box<dyn Generator>>;
 const ISOSURFACE: &str = "isosurface";
 
 /// All others: name, parameters, reader.
-const GENERATORS: [(&str, &[&str], Reader); 9] = [
-    ("teapot", &["cells", "color", "opacity"], teapot),
-    ("plane", &["size", "cells", "color", "opacity"], plane),
+const GENERATORS: [(&str, &[&[&str]], Reader); 9] = [
+    ("teapot", &[&["cells", "color", "opacity"]], teapot),
+    ("plane", &[&["size", "cells", "color", "opacity"]], plane),
     (
         "quads",
-        &[
+        &[&[
             "count", "size", "spacing", "depths", "colors", "alpha", "order", "seed",
-        ],
+        ]],
         quads,
     ),
     (
         "slices",
-        &["count", "size", "cells", "alpha", "order", "seed"],
+        &[&["count", "size", "cells", "alpha", "order", "seed"]],
         slices,
     ),
     (
         "cone",
-        &["bottom", "top", "height", "sides", "color", "opacity"],
+        &[&["bottom", "top", "height", "sides", "color", "opacity"]],
         cone,
     ),
     (
         "torus-knot",
-        &[
+        &[&[
             "p", "q", "radius", "winding", "tube", "segments", "sides", "color", "opacity",
-        ],
+        ]],
         torus_knot,
     ),
     (
         "soup",
-        &["count", "extent", "triangle_size", "alpha", "seed"],
+        &[&["count", "extent", "triangle_size", "alpha", "seed"]],
         soup,
     ),
     ("streamlines", &STREAMLINES, streamlines),
@@ -61,14 +61,14 @@ pub(super) fn read<'v>(keys: &Keys, volumes: &'v [NamedVolume]) -> Result<Box<dy
     let Some(choice) = keys.choice("generate", &choices)? else {
         unreachable!("called for meshes with this key only")
     };
-    let known = |parameters: &[&'static str]| [&["generate"], parameters, &COMMON].concat();
+    let known = |own: &[&[&'static str]]| [&["generate"], &own.concat()[..], &COMMON].concat();
     let generator: Box<dyn Generator + 'v> = match choice {
         Some((_, parameters, reader)) => {
             keys.expect_only(&known(parameters))?;
             reader(keys)?
         }
         None => {
-            keys.expect_only(&known(&isosurface::PARAMETERS))?;
+            keys.expect_only(&known(&[&isosurface::PARAMETERS]))?;
             Box::new(isosurface::read(keys, volumes)?)
         }
     };

@@ -1,6 +1,6 @@
 //! Arrows along a flow: a sparse glyph representation, as in figure 10 of Lindholm et al. 2015.
 
-use super::flow::{Flow, Seeds};
+use super::flow::Seeds;
 use super::limits::{LENGTH, count_within, few_enough, within};
 use super::tube::{self, Ring};
 use super::{Generator, Refusal, WHITE, checked, named};
@@ -10,9 +10,7 @@ use crate::scene::mesh::Mesh;
 /// Arrows, as closed surfaces, each starting at its seed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Arrows {
-    /// What they show.
-    pub flow: Flow,
-    /// Where they start.
+    /// What they show, and where they start.
     pub seeds: Seeds,
     /// How long an arrow is where the flow has speed 1, 1e-6 to 1e6; elsewhere in proportion.
     pub length: f32,
@@ -24,13 +22,7 @@ impl Default for Arrows {
     /// A hundred arrows in the default swirl.
     fn default() -> Self {
         Self {
-            flow: Flow::default(),
-            seeds: Seeds {
-                count: 100,
-                centre: [0.0; 3],
-                extent: [1.6, 1.6, 1.6],
-                seed: 0,
-            },
+            seeds: Seeds::default(),
             length: 0.4,
             sides: 12,
         }
@@ -54,7 +46,6 @@ pub fn arrows(parameters: &Arrows) -> Result<Mesh> {
 
 impl Generator for Arrows {
     fn check(&self) -> Result<(), Refusal> {
-        self.flow.check()?;
         self.seeds.check()?;
         within("length", self.length, LENGTH)?;
         count_within("sides", self.sides, [3, 1000])?;
@@ -69,7 +60,7 @@ impl Generator for Arrows {
     fn build(&self) -> Mesh {
         let mut mesh = named("arrows");
         for start in self.seeds.points() {
-            let velocity = self.flow.velocity(start);
+            let velocity = self.seeds.flow.velocity(start);
             let speed = velocity.length();
             if speed < SHORTEST {
                 continue;

@@ -40,7 +40,7 @@ impl Flow {
         }
     }
 
-    pub(super) fn check(&self) -> Result<(), Refusal> {
+    fn check(&self) -> Result<(), Refusal> {
         match self {
             Self::Swirl(swirl) => {
                 within("size", swirl.lattice.size, LENGTH)?;
@@ -51,9 +51,11 @@ impl Flow {
     }
 }
 
-/// Where a flow is shown: points drawn evenly from a box.
+/// A flow and where it is shown: at points drawn evenly from a box.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Seeds {
+    /// What is shown.
+    pub flow: Flow,
     /// How many, 1 to 1,000,000.
     pub count: u32,
     /// The box's centre, coordinates -1e6 to 1e6.
@@ -64,8 +66,22 @@ pub struct Seeds {
     pub seed: u64,
 }
 
+impl Default for Seeds {
+    /// A hundred points of the default swirl.
+    fn default() -> Self {
+        Self {
+            flow: Flow::default(),
+            count: 100,
+            centre: [0.0; 3],
+            extent: [1.6; 3],
+            seed: 0,
+        }
+    }
+}
+
 impl Seeds {
     pub(super) fn check(&self) -> Result<(), Refusal> {
+        self.flow.check()?;
         count_within("count", self.count, [1, 1_000_000])?;
         all_within("centre", &self.centre, COORDINATE)?;
         all_within("extent", &self.extent, [0.0, COORDINATE[1]])

@@ -1,6 +1,6 @@
 //! Tubes along the streamlines of a flow.
 
-use super::flow::{Flow, Seeds, streamline};
+use super::flow::{Seeds, streamline};
 use super::limits::{LENGTH, count_within, few_enough, within};
 use super::tube::{self, Ring};
 use super::{Generator, Refusal, WHITE, checked, named};
@@ -10,9 +10,7 @@ use crate::scene::mesh::Mesh;
 /// Streamlines as closed tubes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Streamlines {
-    /// What they follow.
-    pub flow: Flow,
-    /// The points that they go through, one each.
+    /// What they follow, and the points that they go through, one each.
     pub seeds: Seeds,
     /// How long a line is, half of it upstream of its seed; 1e-6 to 1e6.
     pub length: f32,
@@ -28,13 +26,7 @@ impl Default for Streamlines {
     /// A hundred lines of the default swirl.
     fn default() -> Self {
         Self {
-            flow: Flow::default(),
-            seeds: Seeds {
-                count: 100,
-                centre: [0.0; 3],
-                extent: [1.6, 1.6, 1.6],
-                seed: 0,
-            },
+            seeds: Seeds::default(),
             length: 1.5,
             steps: 48,
             tube: 0.008,
@@ -53,7 +45,6 @@ pub fn streamlines(parameters: &Streamlines) -> Result<Mesh> {
 
 impl Generator for Streamlines {
     fn check(&self) -> Result<(), Refusal> {
-        self.flow.check()?;
         self.seeds.check()?;
         within("length", self.length, LENGTH)?;
         count_within("steps", self.steps, [2, 100_000])?;
@@ -72,7 +63,7 @@ impl Generator for Streamlines {
         let mut mesh = named("streamlines");
         let radius = f64::from(self.tube);
         for seed in self.seeds.points() {
-            let line = streamline(&self.flow, seed, f64::from(self.length), self.steps);
+            let line = streamline(&self.seeds.flow, seed, f64::from(self.length), self.steps);
             if let [start, .., end] = line[..] {
                 let rings: Vec<_> = line
                     .into_iter()
