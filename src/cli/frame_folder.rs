@@ -1,11 +1,11 @@
 //! The folder that `animate` fills, safe for several commands at a time: every file belongs to one frame and appears
 //! whole, and the two that belong to all have the same content whoever writes them last.
 
-use std::fs;
+use std::fs::{self, File};
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
-use onionskin::image::{Encoding, Image};
+use onionskin::image::{Encoding, Image, UNFINISHED};
 use onionskin::report::save_text;
 use onionskin::{Error, Result};
 
@@ -15,7 +15,12 @@ const IDENTITY: &str = "animation.txt";
 const TABLE: &str = "frames.csv";
 
 /// A folder of frames that belong together.
-pub(super) struct FrameFolder(PathBuf);
+pub(super) struct FrameFolder {
+    path: PathBuf,
+    /// The identity, locked for sharing while this command may write: whoever can lock it alone is the last one. The
+    /// system ends a killed command's lock.
+    held: File,
+}
 
 impl FrameFolder {
     /// Makes the folder, or takes the one that is there if its frames are of the same scene, method and size.
@@ -29,29 +34,22 @@ impl FrameFolder {
             }
             _ => {}
         }
-        let folder = Self(path.to_owned());
-        let text: String = identity
-            .iter()
-            .map(|(k, v)| format!("{k} = {v}\n"))
-            .collect();
         let kept = path.join(IDENTITY);
-        // Written whole or not at all, and never over another command's.
-        let write = || -> std::io::Result<()> {
-            let mut file = tempfile::Builder::new()
-                .prefix(".onionskin-")
-                .tempfile_in(path)?;
-            file.write_all(text.as_bytes())?;
-            file.persist_noclobber(&kept)?;
-            Ok(())
-        };
-        match write() {
-            Ok(()) => Ok(folder),
-            Err(error) if error.kind() == ErrorKind::AlreadyExists => {
-                folder.expect(&kept, identity)?;
-                Ok(folder)
+        let hold = || -> std::io::Result<File> {
+            if !kept.exists() {
+                found(&kept, identity)?;
             }
-            Err(error) => Err(unwritable(path, &error)),
-        }
+            let held = File::open(&kept)?;
+            // A file system without locks keeps what killed commands leave, and all else is as elsewhere.
+            let _ = held.lock_shared();
+            Ok(held)
+        };
+        let folder = Self {
+            path: path.to_owned(),
+            held: hold().map_err(|error| unwritable(path, &error))?,
+        };
+        folder.expect(&kept, identity)?;
+        Ok(folder)
     }
 
     fn expect(&self, kept: &Path, identity: &[(&'static str, String)]) -> Result<()> {
@@ -67,7 +65,7 @@ impl FrameFolder {
                 return Err(Error::usage(
                     format!(
                         "{} has frames of another {key}: {found}, not {value}",
-                        self.0.display()
+                        self.path.display()
                     ),
                     "Give another folder, or empty this one.",
                 ));
@@ -93,8 +91,9 @@ impl FrameFolder {
         save_text(&self.row(number), row)
     }
 
-    /// Joins the rows that are there, and answers where and how many. Whoever ends last has them all.
-    pub(super) fn join(&self, frames: u32) -> Result<(PathBuf, u32)> {
+    /// Joins the rows that are there, and answers where and how many. Whoever ends last has them all, and takes away what
+    /// killed commands have left unfinished.
+    pub(super) fn join(self, frames: u32) -> Result<(PathBuf, u32)> {
         let (mut table, mut rows) = (String::new(), 0);
         for number in (0..frames).filter(|&number| self.has(number)) {
             let path = self.row(number);
@@ -106,17 +105,47 @@ impl FrameFolder {
             }
             rows += 1;
         }
-        let path = self.0.join(TABLE);
+        let path = self.path.join(TABLE);
         save_text(&path, &table)?;
+        self.tidy();
         Ok((path, rows))
     }
 
+    fn tidy(&self) {
+        if self.held.unlock().is_err() || self.held.try_lock().is_err() {
+            return;
+        }
+        let entries = fs::read_dir(&self.path).into_iter().flatten().flatten();
+        for entry in entries.filter(|e| e.file_name().to_string_lossy().starts_with(UNFINISHED)) {
+            // What cannot be taken away is in nobody's way.
+            let _ = fs::remove_file(entry.path());
+        }
+    }
+
     fn picture(&self, number: u32) -> PathBuf {
-        self.0.join(format!("frame-{number:05}.png"))
+        self.path.join(format!("frame-{number:05}.png"))
     }
 
     fn row(&self, number: u32) -> PathBuf {
-        self.0.join(format!("frame-{number:05}.csv"))
+        self.path.join(format!("frame-{number:05}.csv"))
+    }
+}
+
+/// Writes the identity, whole or not at all, and never over another command's.
+fn found(kept: &Path, identity: &[(&'static str, String)]) -> std::io::Result<()> {
+    let text: String = identity
+        .iter()
+        .map(|(k, v)| format!("{k} = {v}\n"))
+        .collect();
+    let mut file = tempfile::Builder::new()
+        .prefix(UNFINISHED)
+        .tempfile_in(kept.parent().unwrap_or(Path::new(".")))?;
+    file.write_all(text.as_bytes())?;
+    match file.persist_noclobber(kept) {
+        // Another command was faster, and may have tidied this one's away.
+        Err(_) if kept.exists() => Ok(()),
+        Err(error) => Err(error.error),
+        Ok(_) => Ok(()),
     }
 }
 

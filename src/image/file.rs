@@ -159,7 +159,7 @@ pub(crate) fn write_whole(
         builder.permissions(std::fs::Permissions::from_mode(0o666));
     }
     let mut file = builder
-        .prefix(".onionskin-")
+        .prefix(UNFINISHED)
         .tempfile_in(folder)
         .map_err(|e| wrong(e.to_string()))?;
     let mut buffer = BufWriter::new(&mut file);
@@ -171,13 +171,16 @@ pub(crate) fn write_whole(
     Ok(())
 }
 
+/// How the names of files begin that are not whole yet. Only a killed program leaves one behind.
+pub const UNFINISHED: &str = ".onionskin-";
+
 /// Asks, before a long computation, whether its result could be written to `path`.
 ///
 /// # Errors
 /// If it could not.
 pub fn check_writable(path: &Path) -> Result<()> {
     tempfile::Builder::new()
-        .prefix(".onionskin-")
+        .prefix(UNFINISHED)
         .tempfile_in(folder_for(path)?)
         .map_err(|e| unwritable(path, e.to_string()))?;
     Ok(())

@@ -5,7 +5,7 @@ mod file;
 
 pub use compare::{Comparison, difference_picture};
 pub(crate) use file::write_whole;
-pub use file::{Encoding, FileKind, check_writable};
+pub use file::{Encoding, FileKind, UNFINISHED, check_writable};
 
 use crate::fragment::Rgba;
 
