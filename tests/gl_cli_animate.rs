@@ -76,6 +76,17 @@ fn two_commands_at_a_time_fill_one_folder() {
 }
 
 #[test]
+fn without_a_path_it_says_that_it_takes_the_default_one() {
+    let (scene, _) = SHEETS.split_once("[path]").unwrap();
+    let mesh = SHEETS.split_once("[[mesh]]").unwrap().1;
+    let desk = Desk::new().with("s.toml", format!("{scene}[[mesh]]{mesh}"));
+    let answer = desk.run(&["animate", "s.toml", "-o", "f", "--frames", "34..36"]);
+    assert_eq!(answer.code, 0, "{answer}");
+    let note = "note: s.toml has no [path]: the camera turns once, in 36 frames\n";
+    assert_eq!(answer.err, note);
+}
+
+#[test]
 fn frames_of_something_else_are_not_mixed_in() {
     let desk = desk();
     animate(&desk, &["--frames", "0..1"]);
@@ -87,7 +98,7 @@ fn frames_of_something_else_are_not_mixed_in() {
     };
     refused(&desk, &["--size", "10x10"], "another scene");
     refused(&desk, &["-m", "painter"], "another method");
-    refused(&desk, &["--srgb"], "another srgb");
+    refused(&desk, &["--srgb"], "another encoding");
     let changed = desk.with("s.toml", SHEETS.replace("count = 3", "count = 2"));
     refused(&changed, &[], "another scene");
 }

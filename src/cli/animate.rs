@@ -5,11 +5,11 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::Args;
-use onionskin::image::Encoding;
 use onionskin::scene::Animation;
 use onionskin::{Error, Method, Renderer, Result};
 use serde::Serialize;
 
+use super::encoding::EncodingOption;
 use super::frame_folder::FrameFolder;
 use super::frame_row::FrameRow;
 use super::method_options::MethodOptions;
@@ -36,9 +36,8 @@ pub(super) struct Animate {
     /// Only the frames from A up to and without B, counted from 0
     #[arg(long, value_name = "A..B", value_parser = frames)]
     frames: Option<Range<u32>>,
-    /// Encode the pictures for display (sRGB) instead of storing linear values
-    #[arg(long)]
-    srgb: bool,
+    #[command(flatten)]
+    encoding: EncodingOption,
     /// Print one JSON object and nothing else
     #[arg(long)]
     json: bool,
@@ -47,7 +46,7 @@ pub(super) struct Animate {
 const EXAMPLES: &str = "\
 Examples:
   onionskin animate scene.toml -o frames -m exact
-  onionskin animate scene.toml -o frames -m a-buffer-ppll --size 512x384
+  onionskin animate scene.toml -o frames -m ppll+ppao --size 512x384
   onionskin animate scene.toml -o frames --frames 100..200   the second of a job array's parts";
 
 /// What was done.
@@ -72,6 +71,11 @@ impl Animate {
             ));
         }
         let animation = self.setup.animation()?;
+        if !animation.has_path {
+            let scene = self.setup.scene.display();
+            let frames = animation.path.frames;
+            eprintln!("note: {scene} has no [path]: the camera turns once, in {frames} frames");
+        }
         let range = self.range(animation.path.frames)?;
         let context = self.setup.gl.context()?;
         let mut renderer = self.setup.renderer(&context, &animation.scene)?;
@@ -122,7 +126,7 @@ impl Animate {
             ("size", format!("{width}x{height}")),
             ("method", format!("{method:?}")),
             ("formats", self.setup.formats()),
-            ("srgb", self.srgb.to_string()),
+            ("encoding", format!("{:?}", self.encoding.encoding())),
         ]
     }
 
@@ -137,11 +141,7 @@ impl Animate {
     ) -> Result<u32> {
         let name = &animation.scene.name;
         let progress = Progress::new(range.len() as u64, &format!("{name} by {method}"));
-        let encoding = if self.srgb {
-            Encoding::Srgb
-        } else {
-            Encoding::Linear
-        };
+        let encoding = self.encoding.encoding();
         let mut rendered = 0;
         for number in range {
             if !folder.has(number) {

@@ -6,6 +6,7 @@ mod check;
 mod compare;
 mod complexity;
 mod doctor;
+mod encoding;
 mod frame_folder;
 mod frame_row;
 mod listing;

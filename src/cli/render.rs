@@ -4,11 +4,12 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::Args;
-use onionskin::image::{Comparison, Encoding, FileKind, check_writable};
+use onionskin::image::{Comparison, FileKind, check_writable};
 use onionskin::methods::{Frame, Stats, registry};
 use onionskin::{Method, Result};
 
 use super::compare::FRAMES;
+use super::encoding::EncodingOption;
 use super::method_options::MethodOptions;
 use super::output::{print_json, say};
 use super::progress::Progress;
@@ -32,9 +33,8 @@ pub(super) struct Render {
     /// Where the image goes: .png (8 bits) or .exr (32-bit float)
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
-    /// Encode a PNG for display (sRGB) instead of storing linear values
-    #[arg(long)]
-    srgb: bool,
+    #[command(flatten)]
+    encoding: EncodingOption,
     /// Print one JSON object and nothing else; adds the error against the exact image
     #[arg(long)]
     json: bool,
@@ -85,11 +85,7 @@ impl Render {
 
     /// Last of all, so that an error before it leaves no file behind.
     fn write(&self, frame: &Frame) -> Result<()> {
-        let encoding = if self.srgb {
-            Encoding::Srgb
-        } else {
-            Encoding::Linear
-        };
+        let encoding = self.encoding.encoding();
         // Listing 1 as printed keeps its layers whether they are asked for or not.
         let layers = if self.method.layers {
             &frame.layers[..]

@@ -1,0 +1,21 @@
+//! The argument that says how pictures store their colours.
+
+use clap::Args;
+use onionskin::image::Encoding;
+
+#[derive(Args)]
+pub(super) struct EncodingOption {
+    /// Encode PNGs for display (sRGB) instead of storing linear values
+    #[arg(long)]
+    srgb: bool,
+}
+
+impl EncodingOption {
+    pub(super) fn encoding(&self) -> Encoding {
+        if self.srgb {
+            Encoding::Srgb
+        } else {
+            Encoding::Linear
+        }
+    }
+}
