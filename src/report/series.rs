@@ -135,12 +135,12 @@ fn draw<B: DrawingBackend>(
         .last()
         .map_or(1.0, |moment| f64::from(moment.frame) + step);
     let values = moments.iter().flat_map(|moment| &moment.values);
-    let top = values.copied().fold(0.0, f64::max).max(1e-9) * 1.5;
+    let top = values.copied().fold(0.0, f64::max).max(1e-9) * 1.65;
     let covered = moments
         .iter()
         .map(|moment| moment.parts.iter().sum::<f64>());
-    // The upper third is the legend's.
-    let left = (covered.fold(0.0, f64::max) * 150.0).max(1e-9);
+    // The upper two fifths are the legend's.
+    let left = (covered.fold(0.0, f64::max) * 165.0).max(1e-9);
     let plot = || {
         area.fill(&WHITE)?;
         let mut chart = ChartBuilder::on(&area)
