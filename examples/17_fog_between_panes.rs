@@ -19,7 +19,7 @@ use onionskin::{Context, Image, Method, Renderer, Scene};
 #[path = "common/example.rs"]
 mod example;
 
-const SIZE: [u32; 2] = [640, 480];
+const SIZE: [u32; 2] = [480, 360];
 const RADIUS: f64 = 1.0;
 const SIGMA: f32 = 2.5;
 const FOG: [f32; 3] = [0.95, 0.45, 0.1];

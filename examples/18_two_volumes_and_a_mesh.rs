@@ -16,9 +16,9 @@ use onionskin::{Context, Method, Renderer, Scene};
 mod example;
 
 fn main() -> onionskin::Result<()> {
-    let scene = Scene::load_at(example::scene("fog.toml"), Some([640, 480]))?;
+    let scene = Scene::load_at(example::scene("fog.toml"), Some([480, 360]))?;
     let context = Context::headless()?;
-    let mut renderer = Renderer::new(&context, 640, 480)?;
+    let mut renderer = Renderer::new(&context, 480, 360)?;
     let exact = renderer.render(&scene, &Method::Exact)?;
     println!("method           subpasses at most  largest difference");
     for manager in [Manager::Ffb, Manager::Dfb, Manager::Ppll] {

@@ -1,4 +1,5 @@
-//! The molecule: surfaces and the two potential fields around them in one image (Lindholm et al. 2015, figure 1).
+//! The molecule: its surfaces and its electrostatic potential at two resolutions in one image (Lindholm et al. 2015,
+//! figure 1), as the first frame of the scene's camera path has them.
 //!
 //! The fused image by the dynamic fragment buffer with ppAO and ppDP, beside it the same lists without the volumes, and
 //! what `exact` makes of the scene. Prints the depth complexity, boxes of volumes counted as the paper does, and how far the
@@ -8,7 +9,8 @@
 
 use onionskin::image::Comparison;
 use onionskin::methods::{ABufferOptions, CountBy, Manager};
-use onionskin::{Context, Method, Renderer, Scene};
+use onionskin::scene::Animation;
+use onionskin::{Context, Method, Renderer};
 
 #[path = "common/example.rs"]
 mod example;
@@ -16,7 +18,8 @@ mod example;
 const SIZE: [u32; 2] = [480, 360];
 
 fn main() -> onionskin::Result<()> {
-    let scene = Scene::load_at(example::scene("molecule_fused.toml"), Some(SIZE))?;
+    let animation = Animation::load_at(example::scene("molecule_fused.toml"), Some(SIZE))?;
+    let scene = animation.frame(0)?;
     let context = Context::headless()?;
     let mut renderer = Renderer::new(&context, SIZE[0], SIZE[1])?;
     let complexity = renderer.complexity(&scene, CountBy::Blending)?;
