@@ -8,7 +8,7 @@ use std::path::Path;
 
 use onionskin::methods::{ABufferOptions, Fill, Manager};
 use onionskin::report::{BarGroup, bars};
-use onionskin::{Context, Method, Renderer, Result, Scene};
+use onionskin::{Context, Error, Method, Renderer, Result, Scene};
 
 const FRAMES: usize = 3;
 const SCENES: [&str; 4] = ["molecule_fused", "space", "medical", "flow"];
@@ -22,6 +22,11 @@ fn main() -> Result<()> {
         [width, height] => [width, height],
         _ => [320, 240],
     };
+    let out = Path::new(env!("CARGO_MANIFEST_DIR")).join("out");
+    std::fs::create_dir_all(&out).map_err(|error| {
+        let what = format!("cannot make the folder {}: {error}", out.display());
+        Error::usage(what, "remove what is in its place")
+    })?;
     let context = Context::headless()?;
     println!("{} at {} x {}", context.driver().renderer, size[0], size[1]);
     let mut renderer = Renderer::new(&context, size[0], size[1])?;
@@ -49,7 +54,6 @@ fn main() -> Result<()> {
     let caption =
         "Three managers, four Local Arrays, four scenes (after Lindholm et al. 2015, figure 6)";
     let of_what = "time, static array of the manager = 1";
-    let out = Path::new(env!("CARGO_MANIFEST_DIR")).join("out");
     for (plot, ending) in bars(caption, of_what, &names, &groups)?
         .iter()
         .zip(["svg", "png"])
