@@ -4,25 +4,23 @@
 //! operations; what is done once a fragment (interpolation, r/q, comparison, environment, alpha test) is on whatever
 //! numbers come of it. So no bound is needed: every bit of colour and depth has to be the same.
 
-use std::collections::BTreeMap;
-
-use glam::{DVec3, Vec3};
-use onionskin::fragment::Rgba;
-use onionskin::gl::{Context, ContextOptions, FixedFunction, Format, Geometry, GlMachine, Profile};
-use onionskin::scene::{Camera, Mesh, Vertex};
-use onionskin::steps::{
-    Call, Capability, ClassicCall, ClassicCapability, Compare, DepthTextureMode, Machine, Map,
-    MatrixMode, Objects, Shader, Target, TexEnvName, TexEnvValue, TextureTarget, gl::*,
-};
-use onionskin::{Result, Scene};
-use proptest::prelude::*;
-use proptest::test_runner::{TestCaseError, TestError};
-
+#[path = "common/classic_cases.rs"]
+mod classic_cases;
 #[path = "common/stack.rs"]
 #[allow(dead_code)]
 mod stack;
 
-const SIZE: [u32; 2] = [32, 16];
+use std::collections::BTreeMap;
+
+use classic_cases::{COMPARISONS, Case, Looked, SIZE, Unit, cases, count, scene};
+use onionskin::Result;
+use onionskin::gl::{Context, ContextOptions, FixedFunction, Format, Geometry, GlMachine, Profile};
+use onionskin::steps::{
+    Call, Capability, ClassicCall, ClassicCapability, DepthTextureMode, Machine, Map, MatrixMode,
+    Objects, Shader, Target, TexEnvName, TexEnvValue, TextureTarget, gl::*,
+};
+use proptest::test_runner::{TestCaseError, TestError};
+
 const IMAGE: Map = Map::named("image");
 const DEPTH: Map = Map::named("depth");
 const MAP_COLOR: [Map; 2] = [Map::numbered("map color", 0), Map::numbered("map color", 1)];
@@ -33,46 +31,7 @@ const MAP_RECTANGLE: [Map; 2] = [
 ];
 const DRAWN: Target = Target("drawn");
 const MAPPED: Target = Target("mapped");
-const COMPARISONS: [Compare; 8] = [
-    NEVER, LESS, EQUAL, LEQUAL, GREATER, NOTEQUAL, GEQUAL, ALWAYS,
-];
 const CASES: u32 = 220;
-
-/// What a unit looks up.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-enum Looked {
-    Nothing,
-    Color,
-    Depth,
-    Rectangle,
-}
-
-#[derive(Clone, Debug)]
-struct Unit {
-    looked: Looked,
-    compare: Option<Compare>,
-    mode: DepthTextureMode,
-    replace: bool,
-    /// The modelview matrix when the planes are set: sixteenths, and a power of two.
-    translate: [i8; 3],
-    scale: i8,
-    /// In place of the identity's planes, which generate eye coordinates: these, in eighths, for s, t and r.
-    planes: Option<[[i8; 4]; 3]>,
-    /// A shadow map is biased by so many 65536ths.
-    bias: i8,
-}
-
-/// A corner in sixteenths, and a colour in eighths.
-type Corner = ([i8; 3], [u8; 4]);
-
-#[derive(Clone, Debug)]
-struct Case {
-    map: Vec<[Corner; 3]>,
-    drawn: Vec<[Corner; 3]>,
-    units: [Unit; 2],
-    alpha: Option<(Compare, u8)>,
-    depth: Format,
-}
 
 #[test]
 fn e04_the_emulation_is_the_real_fixed_functions_pixel_for_pixel() {
@@ -438,137 +397,4 @@ fn coordinates(unit: &Unit) -> Vec<ClassicCall> {
             mode: MatrixMode::Modelview,
         },
     ]
-}
-
-/// A camera whose matrices are short binary fractions: 90 degrees, twice as wide as high, near 1, far 3.
-fn scene(triangles: &[[Corner; 3]]) -> Scene {
-    let corners = triangles.iter().flatten();
-    let vertices: Vec<_> = corners
-        .map(|&([x, y, z], color)| {
-            let [r, g, b, a] = color.map(|eighths| f32::from(eighths) / 8.0);
-            Vertex {
-                position: Vec3::new(f32::from(x), f32::from(y), f32::from(z)) / 16.0,
-                normal: Vec3::Z,
-                color: Rgba::new(r, g, b, a),
-            }
-        })
-        .collect();
-    let indices = (0..vertices.len() as u32).step_by(3);
-    let mesh = Mesh {
-        name: "case".into(),
-        triangles: indices.map(|i| [i, i + 1, i + 2]).collect(),
-        vertices,
-        ..Mesh::default()
-    };
-    Scene {
-        name: "case".into(),
-        size: SIZE,
-        background: [0.0; 3],
-        camera: Camera {
-            eye: DVec3::ZERO,
-            target: DVec3::NEG_Z,
-            up: DVec3::Y,
-            fov: 90.0,
-            near: 1.0,
-            far: 3.0,
-        },
-        meshes: vec![mesh],
-        volumes: Vec::new(),
-        notices: Vec::new(),
-    }
-}
-
-fn cases() -> impl Strategy<Value = Case> {
-    let corner = || {
-        (
-            (-64..=64_i8, -40..=40_i8, -50..=-14_i8),
-            proptest::array::uniform4(0..=8_u8),
-        )
-            .prop_map(|((x, y, z), color)| ([x, y, z], color))
-    };
-    let triangle = move || [corner(), corner(), corner()];
-    let triangles = move |most| proptest::collection::vec(triangle(), 1..=most);
-    let func = || proptest::sample::select(COMPARISONS.to_vec());
-    let unit = move || {
-        (
-            proptest::sample::select(vec![
-                Looked::Nothing,
-                Looked::Color,
-                Looked::Depth,
-                Looked::Depth,
-                Looked::Rectangle,
-                Looked::Rectangle,
-            ]),
-            proptest::option::weighted(0.75, func()),
-            proptest::sample::select(vec![
-                DepthTextureMode::Luminance,
-                DepthTextureMode::Intensity,
-                DepthTextureMode::Alpha,
-            ]),
-            any::<bool>(),
-            // z not negative, so that q stays positive.
-            (-8..=8_i8, -8..=8_i8, 0..=8_i8),
-            -1..=1_i8,
-            proptest::option::weighted(
-                0.25,
-                (
-                    [-8..=8_i8, -2..=2, -2..=2, -4..=4],
-                    [-2..=2_i8, -8..=8, -2..=2, -4..=4],
-                    [-1..=1_i8, -1..=1, 6..=8, -4..=0],
-                )
-                    .prop_map(|(s, t, r)| [s, t, r]),
-            ),
-            -100..=100_i8,
-        )
-            .prop_map(
-                |(looked, compare, mode, replace, (x, y, z), scale, planes, bias)| Unit {
-                    looked,
-                    compare,
-                    mode,
-                    replace,
-                    translate: [x, y, z],
-                    scale,
-                    planes,
-                    bias,
-                },
-            )
-    };
-    let depth = proptest::sample::select(vec![Format::Depth32FStencil8, Format::Depth24Stencil8]);
-    (
-        triangles(4),
-        triangles(6),
-        [unit(), unit()],
-        proptest::option::weighted(0.8, (func(), 0..=8_u8)),
-        depth,
-    )
-        .prop_map(|(map, drawn, units, alpha, depth)| Case {
-            map,
-            drawn,
-            units,
-            alpha,
-            depth,
-        })
-}
-
-fn count(seen: &mut BTreeMap<String, u32>, case: &Case, pixels: &[[u32; 5]]) {
-    let mut add = |what: String| *seen.entry(what).or_default() += 1;
-    if let Some((func, _)) = case.alpha {
-        add(format!("alpha {func:?}"));
-    }
-    for unit in case
-        .units
-        .iter()
-        .filter(|unit| unit.looked != Looked::Nothing)
-    {
-        add(format!("{:?}", unit.looked));
-        if unit.looked != Looked::Color {
-            add(format!("{:?}", unit.mode));
-            if let Some(func) = unit.compare {
-                add(format!("compare {func:?}"));
-            }
-        }
-    }
-    if pixels.iter().any(|pixel| pixel[..4] != [0; 4]) {
-        add("has pixels".into());
-    }
 }
