@@ -10,7 +10,7 @@ use onionskin::methods::{ABufferOptions, Fill, Manager};
 use onionskin::report::{BarGroup, bars};
 use onionskin::{Context, Error, Method, Renderer, Result, Scene};
 
-const FRAMES: usize = 3;
+const FRAMES: usize = 5;
 const SCENES: [&str; 4] = ["molecule_fused", "space", "medical", "flow"];
 const MANAGERS: [Manager; 3] = [Manager::Ffb, Manager::Dfb, Manager::Ppll];
 const COMPONENTS: [(bool, bool); 4] = [(false, false), (true, false), (false, true), (true, true)];
