@@ -75,6 +75,38 @@ fn slices_are_as_many_as_asked_for_and_more_methods_take_them() {
 }
 
 #[test]
+fn without_a_method_volumes_are_rendered_exactly() {
+    let desk = Desk::new().with("scene.toml", SCENE);
+    let rendered = |more: &[&str]| {
+        let arguments = [&["render", "scene.toml", "-o", "image.png", "--json"], more].concat();
+        desk.run(&arguments).objects()[0].clone()
+    };
+    let object = rendered(&[]);
+    assert_eq!(object["method"], "dfb+ppdp");
+    assert_eq!(object["lost"], 0);
+    // What only surfaces have says which method is meant.
+    let object = rendered(&["--slices", "9"]);
+    assert_eq!(object["method"], "depth-peeling");
+    assert_eq!(object["slices"], 9);
+    desk.refused(&["render", "scene.toml", "-o", "image.png", "--peels", "2"])
+        .says(&["depth-peeling draws surfaces only"]);
+}
+
+#[test]
+fn animate_takes_slices_and_keeps_to_them() {
+    let scene = format!("{SCENE}[path]\nframes = 4\nrotate = 360\n");
+    let desk = Desk::new().with("scene.toml", &scene);
+    let frame = ["animate", "scene.toml", "-o", "f", "--frames", "0..1"];
+    let sliced = |slices| [&frame[..], &["--slices", slices]].concat();
+    desk.result(&sliced("9"));
+    desk.result(&sliced("9"));
+    desk.refused(&sliced("10")).says(&["slices", "9", "10"]);
+    desk.result(&["render", "scene.toml", "-o", "r.png", "--slices", "9"]);
+    let [frame, render] = ["f/frame-00000.png", "r.png"].map(|name| std::fs::read(desk.path(name)));
+    assert!(frame.unwrap() == render.unwrap());
+}
+
+#[test]
 fn slices_that_make_no_sense_are_refused() {
     let desk = Desk::new().with("scene.toml", SCENE);
     let render = |method, slices| {

@@ -2,10 +2,10 @@
 
 use clap::{Args, ValueEnum};
 use onionskin::methods::{
-    CoherentOptions, Compositing, CoplanarDepthPeelingOptions, DepthPeelingOptions, DepthUnit0,
-    DualDepthPeelingOptions, IdealOptions, LayerPeelingOptions, Sorting,
+    ABufferOptions, CoherentOptions, Compositing, CoplanarDepthPeelingOptions, DepthPeelingOptions,
+    DepthUnit0, DualDepthPeelingOptions, IdealOptions, LayerPeelingOptions, Manager, Sorting,
 };
-use onionskin::{Error, Method, Result};
+use onionskin::{Error, Method, Result, Scene};
 
 use super::a_buffer_options::ABufferArguments;
 
@@ -15,9 +15,10 @@ const COHERENT: &str = "Options of the coherent methods";
 
 #[derive(Args)]
 pub(super) struct MethodOptions {
-    /// The method: depth-peeling, exact, painter ...; `onionskin methods` describes them all
-    #[arg(short, long, default_value = "depth-peeling")]
-    method: String,
+    /// The method: exact, painter, ffb ...; `onionskin methods` describes them all [default: depth-peeling; dfb+ppdp
+    /// where volumes are to be rendered]
+    #[arg(short, long)]
+    method: Option<String>,
     /// At most this many peels, nearest first; 0 means no limit, as VTK documents it. Dual and coplanar depth peeling
     /// have it too
     #[arg(long, default_value_t = 0, value_name = "N", help_heading = PEELING)]
@@ -76,12 +77,15 @@ enum Improvement {
 }
 
 impl MethodOptions {
-    /// The method with its options.
+    /// The method with its options; depth peeling if none is named.
     ///
     /// # Errors
     /// If there is no such method, or it has no such option.
     pub(super) fn method(&self) -> Result<Method> {
-        let method: Method = self.method.parse()?;
+        let method: Method = self.method.as_deref().map_or_else(
+            || Ok(Method::DepthPeeling(DepthPeelingOptions::default())),
+            str::parse,
+        )?;
         let kept = self.layers || self.depth_unit_0 != Unit0::Sampler;
         let peels = self.peels != 0 || self.occlusion_ratio != 0.0 || kept;
         let sorted = self.sort.is_some() || !self.improve.is_empty();
@@ -133,6 +137,19 @@ impl MethodOptions {
             )),
             _ => Ok(method),
         }
+    }
+
+    /// `method`, or if none was named, and nothing that only depth peeling has, one that renders the scene's volumes.
+    pub(super) fn for_scene(&self, method: Method, scene: &Scene) -> Method {
+        let peeling = Method::DepthPeeling(DepthPeelingOptions::default());
+        if self.method.is_some() || scene.volumes.is_empty() || method != peeling {
+            return method;
+        }
+        Method::ABuffer(ABufferOptions {
+            manager: Manager::Dfb,
+            pp_dp: true,
+            ..ABufferOptions::default()
+        })
     }
 
     fn depth_peeling(&self) -> Result<Method> {

@@ -56,6 +56,10 @@ impl Render {
         FileKind::of(&self.output)?;
         check_writable(&self.output)?;
         let scene = self.setup.scene()?;
+        let method = match self.slices.is_given() {
+            true => method,
+            false => self.method.for_scene(method, &scene),
+        };
         let context = self.setup.gl.context()?;
         let mut renderer = self.slices.told(self.setup.renderer(&context, &scene)?)?;
         let progress = Progress::new(1, &format!("rendering {} by {method}", scene.name));

@@ -1,5 +1,7 @@
 //! The argument that says as how many slices volumes are drawn.
 
+use std::fmt;
+
 use clap::Args;
 use onionskin::methods::MOST_SLICES;
 use onionskin::{Error, Method, Renderer, Result};
@@ -44,6 +46,15 @@ impl Slices {
                 "leave out --slices, or choose hybrid-layer-peeling",
             )
         })
+    }
+}
+
+impl fmt::Display for Slices {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.slices {
+            Some(count) => write!(f, "{count}"),
+            None => f.write_str("as the method has them"),
+        }
     }
 }
 
