@@ -5,8 +5,9 @@ use std::collections::hash_map::Entry;
 use glow::HasContext;
 
 use super::constants::{blend_factor, capability, clear_bits, compare, error_name, stencil_op};
+use super::framebuffers::depth_attachment;
 use super::geometry::Geometry;
-use super::machine::{GlMachine, depth_attachment};
+use super::machine::GlMachine;
 use super::program::{Linked, ProgramKey};
 use super::texture::internal;
 use crate::error::{Error, Result};

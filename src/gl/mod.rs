@@ -12,6 +12,7 @@ mod constants;
 mod context;
 mod draw_buffers;
 mod driver;
+mod framebuffers;
 mod geometry;
 pub(crate) mod glsl;
 mod interpreter;
