@@ -12,7 +12,7 @@
 use onionskin::image::Comparison;
 use onionskin::methods::{ABufferOptions, RecordColor};
 use onionskin::report::{Curves, convergence};
-use onionskin::{Context, Image, Method, Renderer, Scene};
+use onionskin::{Context, Method, Renderer, Scene};
 
 #[path = "common/example.rs"]
 mod example;
@@ -81,7 +81,7 @@ fn main() -> onionskin::Result<()> {
     }
     panels.push(renderer(&context, &scene, 1)?.render(&scene, &rays)?.image);
     let path = example::output("21_both_papers_on_one_scene.png")?;
-    side_by_side(&panels).save(&path)?;
+    example::sheet(&panels, 3).save(&path)?;
     println!("{}", path.display());
     Ok(())
 }
@@ -102,20 +102,4 @@ fn renderer<'c>(
 ) -> onionskin::Result<Renderer<'c>> {
     let [width, height] = scene.size;
     Renderer::new(context, width, height)?.with_slices(count)
-}
-
-/// Pictures of one height.
-fn side_by_side(panels: &[Image]) -> Image {
-    let (width, height) = (panels[0].width, panels[0].height);
-    let row = |y: u32| {
-        let pixels = (y * width) as usize..((y + 1) * width) as usize;
-        panels
-            .iter()
-            .flat_map(move |panel| &panel.pixels[pixels.clone()])
-    };
-    Image {
-        width: width * panels.len() as u32,
-        height,
-        pixels: (0..height).flat_map(row).copied().collect(),
-    }
 }

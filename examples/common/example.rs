@@ -2,6 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
+use onionskin::Image;
+
 /// A file in the folder that the first argument names, `out` if there is none. The folder is made if it is missing.
 #[allow(dead_code)] // a window writes none
 pub fn output(name: &str) -> onionskin::Result<PathBuf> {
@@ -19,4 +21,21 @@ pub fn scene(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR"))
         .join("examples/scenes")
         .join(name)
+}
+
+/// Pictures of one size in rows of so many.
+#[allow(dead_code)] // most examples show one
+pub fn sheet(pictures: &[Image], columns: usize) -> Image {
+    let (width, height) = (pictures[0].width, pictures[0].height);
+    let lines = pictures.chunks_exact(columns).flat_map(|row| {
+        (0..height as usize).flat_map(move |y| {
+            let line = y * width as usize..(y + 1) * width as usize;
+            row.iter().flat_map(move |p| &p.pixels[line.clone()])
+        })
+    });
+    Image {
+        width: width * columns as u32,
+        height: height * (pictures.len() / columns) as u32,
+        pixels: lines.copied().collect(),
+    }
 }

@@ -1,0 +1,48 @@
+//! Four scenes after the paper's four (Lindholm et al. 2015, Table 1 and figures 1, 8, 9 and 10): a molecule, an ejection of
+//! the sun, a head, a flow.
+//!
+//! Each is rendered by ppDP on dynamic fragment buffers, with as many layers as there are. Prints what Table 1 has of the
+//! scenes; boxes of volumes are counted, as the paper does. The scene files say how large the paper's were.
+//!
+//! Writes one picture of all four.
+//!
+//! `cargo run --release --example 23_four_scenes [FOLDER]`
+
+use onionskin::methods::{ABufferOptions, CountBy, Manager};
+use onionskin::{Context, Method, Renderer, Scene};
+
+#[path = "common/example.rs"]
+mod example;
+
+const SIZE: [u32; 2] = [400, 300];
+const SCENES: [&str; 4] = ["molecule_fused", "space", "medical", "flow"];
+
+fn main() -> onionskin::Result<()> {
+    let context = Context::headless()?;
+    let mut renderer = Renderer::new(&context, SIZE[0], SIZE[1])?;
+    let rays = Method::ABuffer(ABufferOptions {
+        manager: Manager::Dfb,
+        pp_dp: true,
+        ..ABufferOptions::default()
+    });
+    println!("scene           triangles  volumes  fragments  layers: most  median");
+    let mut pictures = Vec::new();
+    for name in SCENES {
+        let path = example::scene(&format!("{name}.toml"));
+        let scene = Scene::load_at(path, Some(SIZE))?;
+        let complexity = renderer.complexity(&scene, CountBy::Blending)?;
+        println!(
+            "{name:<14} {:>10} {:>8} {:>10} {:>13} {:>7}",
+            scene.triangle_count(),
+            scene.volumes.len(),
+            complexity.fragments(),
+            complexity.max(),
+            complexity.percentile(0.5)
+        );
+        pictures.push(renderer.render(&scene, &rays)?.image);
+    }
+    let path = example::output("23_four_scenes.png")?;
+    example::sheet(&pictures, 2).save(&path)?;
+    println!("{}", path.display());
+    Ok(())
+}
