@@ -2,10 +2,9 @@
 
 use std::cell::Cell;
 
-use glam::{DAffine3, DVec3};
 use onionskin::image::Comparison;
 use onionskin::methods::{ABufferOptions, CountBy, Fill, Frame, Manager, RecordColor, Sort};
-use onionskin::scene::{Transfer, TransferPoint, Volume};
+use onionskin::scene::{Transfer, TransferPoint};
 use onionskin::{Context, Method, Renderer, Scene};
 use proptest::test_runner::{TestCaseError, TestError};
 
@@ -15,7 +14,7 @@ mod fog_plans;
 #[allow(dead_code)]
 mod fog_scenes;
 use fog_plans::{Plan, plans};
-use fog_scenes::{Random, fog_and_pane, off, painted, random_scene};
+use fog_scenes::{Random, fog_and_pane, gradient, off, painted, random_scene};
 #[path = "common/slack.rs"]
 #[allow(dead_code)]
 mod slack;
@@ -212,18 +211,7 @@ fn l16_densities_of_overlapping_volumes_add() {
 #[test]
 fn l16_the_image_of_a_gradient_converges_with_the_square_of_the_step() {
     let context = Context::headless().unwrap();
-    let mut scene = fog_and_pane(5.0, 2.0, 0.0, 1.0);
-    let samples = (0..8).map(|i| (i / 4) as f32).collect();
-    let mut place = DAffine3::from_scale(DVec3::splat(2.0));
-    place.translation = DVec3::splat(-1.0);
-    let point = |value, color| TransferPoint {
-        value,
-        color,
-        density: 3.0 * value,
-    };
-    let points = vec![point(0.0, [0.0, 0.0, 1.0]), point(1.0, [1.0, 0.0, 0.0])];
-    let volume = Volume::new("gradient", [2; 3], samples, place).unwrap();
-    scene.volumes = vec![volume.with_transfer(Transfer::new(points).unwrap())];
+    let mut scene = gradient();
     let mut at = |step| {
         scene.volumes[0].step = step;
         render(&context, &scene, DFB).image

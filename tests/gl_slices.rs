@@ -3,12 +3,10 @@
 
 use std::cell::Cell;
 
-use glam::{DAffine3, DVec3};
 use onionskin::image::Comparison;
 use onionskin::methods::{
     ABufferOptions, DEFAULT_SLICES, Frame, MOST_SLICES, RecordColor, registry,
 };
-use onionskin::scene::{Transfer, TransferPoint, Volume};
 use onionskin::{Context, Error, Method, Renderer, Scene};
 use proptest::test_runner::{TestCaseError, TestError};
 
@@ -30,7 +28,7 @@ mod slices;
 mod stack;
 use cast::cast;
 use fog_plans::plans;
-use fog_scenes::{fog_and_pane, off, random_scene};
+use fog_scenes::{fog_and_pane, gradient, off, random_scene};
 use slices::{Rule, SLICES, cast_slices};
 
 /// Where a slice is met is a depth of f32: with a near plane at 0.5, half of a last place of 1 is 6^2/0.5 x 2^-25 = 2e-6 at
@@ -275,18 +273,7 @@ fn fused(context: &Context, scene: &Scene) -> Frame {
 #[test]
 fn l16_slices_of_a_gradient_converge_with_the_square_of_their_number() {
     let context = Context::headless().unwrap();
-    let mut scene = fog_and_pane(5.0, 2.0, 0.0, 1.0);
-    let samples = (0..8).map(|i| (i / 4) as f32).collect();
-    let mut place = DAffine3::from_scale(DVec3::splat(2.0));
-    place.translation = DVec3::splat(-1.0);
-    let point = |value, color| TransferPoint {
-        value,
-        color,
-        density: 3.0 * value,
-    };
-    let points = vec![point(0.0, [0.0, 0.0, 1.0]), point(1.0, [1.0, 0.0, 0.0])];
-    let volume = Volume::new("gradient", [2; 3], samples, place).unwrap();
-    scene.volumes = vec![volume.with_transfer(Transfer::new(points).unwrap())];
+    let mut scene = gradient();
     scene.volumes[0].step = 1.0 / 512.0;
     let limit = fused(&context, &scene).image;
     let errors = [4, 8, 16].map(|count| {

@@ -53,6 +53,23 @@ pub fn fog_and_pane(eye: f64, pane: f32, alpha: f32, step: f64) -> Scene {
     scene
 }
 
+/// A cube in which density and colour change along z, from 0 and blue to 3 and red.
+pub fn gradient() -> Scene {
+    let mut scene = fog_and_pane(5.0, 2.0, 0.0, 1.0);
+    let samples = (0..8).map(|i| (i / 4) as f32).collect();
+    let mut place = DAffine3::from_scale(DVec3::splat(2.0));
+    place.translation = DVec3::splat(-1.0);
+    let point = |value, color| TransferPoint {
+        value,
+        color,
+        density: 3.0 * value,
+    };
+    let points = vec![point(0.0, [0.0, 0.0, 1.0]), point(1.0, [1.0, 0.0, 0.0])];
+    let volume = Volume::new("gradient", [2; 3], samples, place).unwrap();
+    scene.volumes = vec![volume.with_transfer(Transfer::new(points).unwrap())];
+    scene
+}
+
 /// The largest difference of an image from exp(-sigma L), with the fog `sigma` dense.
 pub fn off(scene: &Scene, image: &Image, sigma: f64) -> f64 {
     let [width, height] = scene.size.map(f64::from);
