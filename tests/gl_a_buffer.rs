@@ -1,6 +1,7 @@
 //! A-buffers against the oracle: every memory manager, every way to fill, sort and resolve, on random fragment stacks with
 //! ties, on soups and on models; complexities around every limit.
 
+use onionskin::gl::Format;
 use onionskin::image::Comparison;
 use onionskin::methods::{ABufferOptions, CountBy, Fill, Frame, Manager, RecordColor, Sort};
 use onionskin::{Context, Method, Renderer, Scene};
@@ -270,6 +271,36 @@ fn the_stencil_counts_to_255_and_the_others_beyond() {
     assert_eq!(counts(CountBy::Blending), [2, 300, 2, 2]);
     assert_eq!(counts(CountBy::Atomics), [2, 300, 2, 2]);
     assert_eq!(counts(CountBy::Stencil), [2, 255, 2, 2]);
+}
+
+/// Fixed buffers are counted by the stencil buffer, where that is enough and there is one.
+#[test]
+fn without_a_stencil_buffer_nothing_is_counted_in_it() {
+    let context = Context::headless().unwrap();
+    let renderer = Renderer::new(&context, 4, 1).unwrap();
+    let mut renderer = renderer.with_formats(Format::Rgba32F, Format::Depth32F);
+    let stack = one_deep(9);
+    let scene = stack.scene();
+    let fixed = ABufferOptions {
+        color: RecordColor::Float,
+        ..small(Manager::Ffb)
+    };
+    let frame = renderer.render(&scene, &Method::ABuffer(fixed)).unwrap();
+    let error = Comparison::new(&frame.image, &stack.expected(), F32).unwrap();
+    assert_eq!((error.over, frame.stats.lost), (0, Some(0)));
+    let printed = ABufferOptions {
+        pp_ao: true,
+        as_printed: true,
+        ..fixed
+    };
+    let refused = [
+        renderer.complexity(&scene, CountBy::Stencil).err(),
+        renderer.render(&scene, &Method::ABuffer(printed)).err(),
+    ];
+    for error in refused {
+        let text = error.unwrap().to_string();
+        assert!(text.contains("no stencil buffer"), "{text}");
+    }
 }
 
 /// The trap that `doctor` describes: full-screen triangles over a framebuffer without depth lose atomics on llvmpipe.

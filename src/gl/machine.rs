@@ -239,6 +239,14 @@ impl<'c> GlMachine<'c> {
         }
     }
 
+    /// How a map stores its texels.
+    ///
+    /// # Errors
+    /// If there is no such map.
+    pub fn format(&self, map: Map) -> Result<Format> {
+        Ok(self.texture(map)?.format)
+    }
+
     /// Lets go of a map.
     pub fn free(&mut self, map: Map) {
         if let Some(texture) = self.textures.remove(&map) {

@@ -1,6 +1,6 @@
 //! Depth complexity: how many fragments each pixel has, and their histogram (Lindholm et al. 2015, section 3.1).
 
-use super::a_buffer::fused;
+use super::a_buffer::{expect_stencil, fused};
 use super::renderer::Renderer;
 use crate::error::Result;
 use crate::gl::Format;
@@ -111,6 +111,9 @@ impl Renderer<'_> {
         self.begin(scene)?;
         let machine = &mut self.machine;
         run(&vtk::OPAQUE_FIRST, &[], Variables::new(), machine)?;
+        if by == CountBy::Stencil {
+            expect_stencil(machine)?;
+        }
         let (format, listing) = match by {
             CountBy::Blending => (Format::R32F, paper::COUNT_BY_BLENDING),
             CountBy::Atomics => (Format::R32Ui, paper::COMPLEXITY_IMAGE),

@@ -133,6 +133,9 @@ impl ABuffer {
 impl Algorithm for ABuffer {
     fn prepare(&mut self, machine: &mut GlMachine<'_>, scene: &Scene) -> Result<()> {
         self.options.check()?;
+        if self.options.as_printed && self.options.pp_ao {
+            expect_stencil(machine)?;
+        }
         let renderer = &machine.context().driver().renderer;
         loops::expect_samples_fit(renderer, &scene.volumes)?;
         self.volumes = machine.upload_volumes(scene)?;
@@ -153,7 +156,6 @@ impl Algorithm for ABuffer {
         machine.allocate(paper::ANCHOR, Format::R32Ui)?;
         machine.allocate(paper::COST, Format::Rgba32Ui)?;
         let depth = vtk::OPAQUE_DEPTH;
-        machine.target_of(paper::COUNT, &[paper::COMPLEXITY], Some(depth))?;
         let lists = [paper::COUNTER, paper::ANCHOR];
         machine.target_of(paper::CLEARED, &lists, Some(depth))?;
         // What is attached costs time, written or not.
@@ -169,13 +171,7 @@ impl Algorithm for ABuffer {
     fn draw(&mut self, machine: &mut GlMachine<'_>, scene: &Scene) -> Result<Drawn> {
         run(&vtk::OPAQUE_FIRST, &[], Variables::new(), machine)?;
         let proxies = fused(scene);
-        run(
-            &paper::COUNT_BY_BLENDING,
-            proxies,
-            Variables::new(),
-            machine,
-        )?;
-        self.complexity = machine.read_counts(paper::COMPLEXITY)?;
+        self.complexity = self.count(machine, proxies)?;
         let width = machine.size()[0];
         let bands = bands(
             &self.complexity,
@@ -233,6 +229,24 @@ impl Algorithm for ABuffer {
     }
 }
 
+/// That there is a stencil buffer to count in, or to mark pixels in.
+///
+/// # Errors
+/// The depth format has none.
+pub(super) fn expect_stencil(machine: &GlMachine<'_>) -> Result<()> {
+    let format = machine.format(vtk::OPAQUE_DEPTH)?;
+    if format.has_stencil() {
+        return Ok(());
+    }
+    Err(Error::usage(
+        format!("there is no stencil buffer to count in: depths are stored as {format:?}"),
+        "choose a depth format with a stencil, or count by blending (ppAO: amended)",
+    ))
+}
+
+/// The most that the stencil buffer counts without being full.
+const STENCIL_COUNTS: u32 = 254;
+
 /// How a listing that draws transparent objects is amended for this scene.
 pub(super) const fn fused(scene: &Scene) -> &'static [Amendment] {
     if scene.volumes.is_empty() {
@@ -243,6 +257,30 @@ pub(super) const fn fused(scene: &Scene) -> &'static [Amendment] {
 }
 
 impl ABuffer {
+    /// Every pixel's complexity, by the stencil buffer where that is enough: it is quicker, but what a prefix scan reads has
+    /// to be in a texture.
+    fn count(&self, machine: &mut GlMachine<'_>, proxies: &[Amendment]) -> Result<Vec<u32>> {
+        let depth = Some(vtk::OPAQUE_DEPTH);
+        let is_scanned = match self.options.manager {
+            Manager::Ffb => false,
+            Manager::Dfb => true,
+            Manager::Ppll => self.options.fill != Fill::Atomics,
+        };
+        if !is_scanned && machine.format(vtk::OPAQUE_DEPTH)?.has_stencil() {
+            machine.target_of(paper::COUNT, &[], depth)?;
+            let variables = Variables::new();
+            run(&paper::COUNT_BY_STENCIL, proxies, variables, machine)?;
+            let counts = machine.read_counts(vtk::OPAQUE_DEPTH)?;
+            if counts.iter().all(|&count| count <= STENCIL_COUNTS) {
+                return Ok(counts);
+            }
+        }
+        machine.target_of(paper::COUNT, &[paper::COMPLEXITY], depth)?;
+        let variables = Variables::new();
+        run(&paper::COUNT_BY_BLENDING, proxies, variables, machine)?;
+        machine.read_counts(paper::COMPLEXITY)
+    }
+
     /// `proxies` amends the Fill Step if there are volumes.
     fn draw_band(
         &mut self,
