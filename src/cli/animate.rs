@@ -16,7 +16,6 @@ use super::method_options::MethodOptions;
 use super::output::{print_json, say};
 use super::progress::Progress;
 use super::setup::Setup;
-use super::slices::Slices;
 
 /// Render a scene's camera path to numbered pictures and a table
 ///
@@ -31,8 +30,6 @@ pub(super) struct Animate {
     setup: Setup,
     #[command(flatten)]
     method: MethodOptions,
-    #[command(flatten)]
-    slices: Slices,
     /// The folder of the pictures; it is made if it is not there
     #[arg(short, long, value_name = "FOLDER")]
     output: PathBuf,
@@ -67,7 +64,6 @@ struct Done<'a> {
 impl Animate {
     pub(super) fn run(self) -> Result<ExitCode> {
         let method = self.method.method()?;
-        self.slices.check(&method)?;
         if self.method.layers {
             return Err(Error::usage(
                 "an animation has no place for layers",
@@ -80,14 +76,11 @@ impl Animate {
             let frames = animation.path.frames;
             eprintln!("note: {scene} has no [path]: the camera turns once, in {frames} frames");
         }
-        let method = match self.slices.is_given() {
-            true => method,
-            false => self.method.for_scene(method, &animation.scene),
-        };
+        let method = self.method.for_scene(method, &animation.scene);
         let range = self.range(animation.path.frames)?;
         let context = self.setup.gl.context()?;
         let renderer = self.setup.renderer(&context, &animation.scene)?;
-        let mut renderer = self.slices.told(renderer)?;
+        let mut renderer = self.method.slices.told(renderer)?;
         let folder = FrameFolder::open(&self.output, &self.identity(&animation, &method))?;
         let rendered = self.fill(&folder, &animation, &method, &mut renderer, range.clone())?;
         let (table, in_table) = folder.join(animation.path.frames)?;
@@ -134,7 +127,7 @@ impl Animate {
             ("frames", animation.path.frames.to_string()),
             ("size", format!("{width}x{height}")),
             ("method", format!("{method:?}")),
-            ("slices", self.slices.to_string()),
+            ("slices", self.method.slices.to_string()),
             ("formats", self.setup.formats()),
             ("encoding", format!("{:?}", self.encoding.encoding())),
         ]

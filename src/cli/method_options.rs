@@ -8,6 +8,7 @@ use onionskin::methods::{
 use onionskin::{Error, Method, Result, Scene};
 
 use super::a_buffer_options::ABufferArguments;
+use super::slices::Slices;
 
 const PEELING: &str = "Options of depth-peeling";
 const PAPERS: &str = "Options of depth-peeling, layer-peeling, hybrid-layer-peeling, the coherent methods, A-buffers";
@@ -46,6 +47,8 @@ pub(super) struct MethodOptions {
     improve: Vec<Improvement>,
     #[command(flatten)]
     a_buffer: ABufferArguments,
+    #[command(flatten)]
+    pub(super) slices: Slices,
 }
 
 #[derive(Clone, Copy, PartialEq, ValueEnum)]
@@ -82,6 +85,12 @@ impl MethodOptions {
     /// # Errors
     /// If there is no such method, or it has no such option.
     pub(super) fn method(&self) -> Result<Method> {
+        let method = self.of_surfaces_and_lists()?;
+        self.slices.check(&method)?;
+        Ok(method)
+    }
+
+    fn of_surfaces_and_lists(&self) -> Result<Method> {
         let method: Method = self.method.as_deref().map_or_else(
             || Ok(Method::DepthPeeling(DepthPeelingOptions::default())),
             str::parse,
@@ -142,7 +151,8 @@ impl MethodOptions {
     /// `method`, or if none was named, and nothing that only depth peeling has, one that renders the scene's volumes.
     pub(super) fn for_scene(&self, method: Method, scene: &Scene) -> Method {
         let peeling = Method::DepthPeeling(DepthPeelingOptions::default());
-        if self.method.is_some() || scene.volumes.is_empty() || method != peeling {
+        let asked = self.method.is_some() || self.slices.is_given() || method != peeling;
+        if asked || scene.volumes.is_empty() {
             return method;
         }
         Method::ABuffer(ABufferOptions {

@@ -15,7 +15,6 @@ use super::output::{print_json, say};
 use super::progress::Progress;
 use super::record::Record;
 use super::setup::{SCENE_FILES, Setup};
-use super::slices::Slices;
 
 /// Render a scene by one method
 ///
@@ -28,8 +27,6 @@ pub(super) struct Render {
     setup: Setup,
     #[command(flatten)]
     method: MethodOptions,
-    #[command(flatten)]
-    slices: Slices,
     /// Where the image goes: .png (8 bits) or .exr (32-bit float)
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
@@ -52,16 +49,15 @@ impl Render {
     pub(super) fn run(self) -> Result<ExitCode> {
         // Whatever can be wrong with the arguments is said before anything long begins.
         let method = self.method.method()?;
-        self.slices.check(&method)?;
         FileKind::of(&self.output)?;
         check_writable(&self.output)?;
         let scene = self.setup.scene()?;
-        let method = match self.slices.is_given() {
-            true => method,
-            false => self.method.for_scene(method, &scene),
-        };
+        let method = self.method.for_scene(method, &scene);
         let context = self.setup.gl.context()?;
-        let mut renderer = self.slices.told(self.setup.renderer(&context, &scene)?)?;
+        let mut renderer = self
+            .method
+            .slices
+            .told(self.setup.renderer(&context, &scene)?)?;
         let progress = Progress::new(1, &format!("rendering {} by {method}", scene.name));
         // A picture needs one frame; a time that is to be compared needs several.
         let frame = if self.json {
