@@ -7,6 +7,10 @@ use onionskin::papers::vtk;
 use onionskin::steps;
 use onionskin::steps::{Amendment, DepthUnits, Format, Reason, Variables, Workspace, gl::*, run};
 
+#[path = "common/changed.rs"]
+mod changed;
+use changed::changed;
+
 #[path = "common/peels.rs"]
 #[allow(dead_code)]
 mod peels;
@@ -102,16 +106,5 @@ fn v3_a_changed_word_would_be_noticed() {
     let cases = cases();
     for (name, change) in CHANGES {
         assert!(peel(&cases, change).0 > 0, "{name}");
-    }
-}
-
-const fn changed(printed: &'static [steps::Step], amended: &'static [steps::Step]) -> Amendment {
-    Amendment {
-        key: "",
-        place: "",
-        printed,
-        amended,
-        why: "to see whether it is noticed",
-        test: "",
     }
 }

@@ -1,6 +1,10 @@
 //! What VTK's depth peeling page claims of the two ways to stop early (V01, V02), each claim under its key. V03 to V06 are
 //! in `gl_claims_vtk_layers.rs`, V07 and V09 in `gl_claims_vtk_requirements.rs`, V08 in `gl_classic_fixed_function.rs`.
 
+#[path = "common/changed.rs"]
+mod changed;
+use changed::changed;
+
 #[path = "common/stack.rs"]
 #[allow(dead_code)]
 mod stack;
@@ -13,9 +17,7 @@ use onionskin::papers::vtk;
 use onionskin::steps::{Amendment, Map, Reason};
 use onionskin::{Context, Method, Renderer, steps};
 use stack::Stack;
-use vtk_scenes::{
-    BOTH, changed, limited, nearest, over, peel, piece, render, soup_scene, staircase,
-};
+use vtk_scenes::{BOTH, limited, nearest, over, peel, piece, render, soup_scene, staircase};
 
 #[test]
 fn v01_the_loop_ends_after_the_maximum_number_of_peels() {

@@ -1,6 +1,10 @@
 //! What VTK's depth peeling page claims of opaque geometry, of the empty layer, of what a frame says and of kept layers
 //! (V03 to V06), each claim under its key.
 
+#[path = "common/changed.rs"]
+mod changed;
+use changed::changed;
+
 #[path = "common/stack.rs"]
 #[allow(dead_code)]
 mod stack;
@@ -14,7 +18,7 @@ use onionskin::papers::vtk;
 use onionskin::steps::{Amendment, Reason, gl::*};
 use onionskin::{Context, Method, Renderer, Scene, steps};
 use stack::Stack;
-use vtk_scenes::{BOTH, changed, limited, nearest, over, peel, render, soup_scene, staircase};
+use vtk_scenes::{BOTH, limited, nearest, over, peel, render, soup_scene, staircase};
 
 #[test]
 fn v03_opaque_geometry_culls_what_lies_behind_it_and_lowers_the_number_of_layers() {

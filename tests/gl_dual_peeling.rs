@@ -8,6 +8,10 @@ use onionskin::steps::{Amendment, Reason, gl::*};
 use onionskin::{Context, Method, Renderer, Scene, steps};
 use proptest::test_runner::{TestCaseError, TestError};
 
+#[path = "common/changed.rs"]
+mod changed;
+use changed::changed;
+
 #[path = "common/stack.rs"]
 #[allow(dead_code)]
 mod stack;
@@ -307,17 +311,6 @@ const CHANGES: &[(&str, &[Amendment])] = &[
         &[changed(steps! { B = (i + 1) % 2; }, steps! { B = i % 2; })],
     ),
 ];
-
-const fn changed(printed: &'static [steps::Step], amended: &'static [steps::Step]) -> Amendment {
-    Amendment {
-        key: "",
-        place: "",
-        printed,
-        amended,
-        why: "to see whether it is noticed",
-        test: "",
-    }
-}
 
 fn piece(level: u16) -> Piece {
     Piece {

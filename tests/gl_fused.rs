@@ -14,7 +14,7 @@ mod fog_plans;
 #[allow(dead_code)]
 mod fog_scenes;
 use fog_plans::{Plan, plans};
-use fog_scenes::{Random, fog_and_pane, gradient, off, painted, random_scene};
+use fog_scenes::{Random, fog_and_pane, fogs_and_panes, gradient, off, painted, random_scene};
 #[path = "common/slack.rs"]
 #[allow(dead_code)]
 mod slack;
@@ -50,24 +50,12 @@ fn refusal(context: &Context, scene: &Scene) -> String {
 fn l16_fog_and_a_pane_follow_the_closed_form() {
     let context = Context::headless().unwrap();
     let mut worst = 0.0_f64;
-    for eye in [5.0, 0.75] {
-        // In front, inside (seen from both eyes), behind, at a face.
-        for pane in [2.0, 0.3, -0.4, -2.0, -1.0] {
-            if f64::from(pane) > eye - 0.5 {
-                continue;
-            }
-            for alpha in [0.4, 1.0] {
-                for step in [0.05, 0.3, 0.5, 7.0] {
-                    let scene = fog_and_pane(eye, pane, alpha, step);
-                    let frame = render(&context, &scene, DFB);
-                    let off = off(&scene, &frame.image, f64::from(0.7_f32));
-                    let what = format!("eye {eye} pane {pane} alpha {alpha} step {step}");
-                    assert!(off < BOUND, "{what}: {off}");
-                    assert_eq!(frame.stats.lost, Some(0), "{what}");
-                    worst = worst.max(off);
-                }
-            }
-        }
+    for (what, scene) in fogs_and_panes() {
+        let frame = render(&context, &scene, DFB);
+        let off = off(&scene, &frame.image, f64::from(0.7_f32));
+        assert!(off < BOUND, "{what}: {off}");
+        assert_eq!(frame.stats.lost, Some(0), "{what}");
+        worst = worst.max(off);
     }
     println!("at most {worst:e} off");
 }

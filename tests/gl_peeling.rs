@@ -8,6 +8,10 @@ use onionskin::steps::{Amendment, Map, Reason, Step};
 use onionskin::{Context, Method, Renderer, Scene, steps};
 use proptest::test_runner::{TestCaseError, TestError};
 
+#[path = "common/changed.rs"]
+mod changed;
+use changed::changed;
+
 #[path = "common/stack.rs"]
 #[allow(dead_code)]
 mod stack;
@@ -362,17 +366,6 @@ const CHANGES: &[(&str, &[Amendment])] = &[
 
 const FROM_OPAQUE: &[Step] =
     steps! { glCopyImageSubData(Map::named("opaque depth"), Map::at("depth buffer", "B")); };
-
-const fn changed(printed: &'static [Step], amended: &'static [Step]) -> Amendment {
-    Amendment {
-        key: "",
-        place: "",
-        printed,
-        amended,
-        why: "to see whether it is noticed",
-        test: "",
-    }
-}
 
 /// The deepest level.
 const LAST: u16 = stack::LEVELS - 1;

@@ -7,6 +7,10 @@ use onionskin::steps::{
 };
 use onionskin::{Error, steps};
 
+#[path = "common/changed.rs"]
+mod changed;
+use changed::changed;
+
 #[path = "common/golden.rs"]
 mod golden;
 use golden::assert_golden;
@@ -281,15 +285,4 @@ fn peel(
         (outcome.stopped, number("num_layers"), number("peels")),
         recorder.calls,
     )
-}
-
-const fn changed(printed: &'static [steps::Step], amended: &'static [steps::Step]) -> Amendment {
-    Amendment {
-        key: "",
-        place: "",
-        printed,
-        amended,
-        why: "to see whether it is noticed",
-        test: "",
-    }
 }

@@ -4,10 +4,10 @@
 use glam::{DAffine3, DQuat, DVec3, Vec3};
 use onionskin::Scene;
 use onionskin::fragment::Rgba;
-use onionskin::scene::{Camera, Mesh, Transfer, TransferPoint, Vertex, Volume};
+use onionskin::scene::{Mesh, Transfer, TransferPoint, Vertex, Volume};
 use proptest::prelude::*;
 
-use super::fog_scenes::Random;
+use super::fog_scenes::{Random, seen_closely};
 
 /// A scene, to be printed and made.
 #[derive(Clone, Debug)]
@@ -51,17 +51,7 @@ impl Plan {
         }
         let volumes = self.volumes.iter().map(Lattice::volume).collect();
         let mut scene = Scene::of("plan", meshes).with_volumes(volumes);
-        scene.size = [48, 36];
-        scene.background = [0.9, 0.8, 0.7];
-        // Near enough that the near plane cuts volumes, and large ones have the eye in them.
-        scene.camera = Camera {
-            eye: DVec3::new(0.5, 0.7, 3.2),
-            target: DVec3::ZERO,
-            up: DVec3::Y,
-            fov: 40.0,
-            near: 1.0,
-            far: 8.0,
-        };
+        seen_closely(&mut scene);
         scene
     }
 }

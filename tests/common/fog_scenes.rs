@@ -53,6 +53,26 @@ pub fn fog_and_pane(eye: f64, pane: f32, alpha: f32, step: f64) -> Scene {
     scene
 }
 
+/// Fog and a pane seen from outside of it and from inside, the pane in front, inside (seen from both eyes), behind and at a
+/// face, clear and opaque, with short steps and ones longer than the cube; and what each is.
+pub fn fogs_and_panes() -> Vec<(String, Scene)> {
+    let mut scenes = Vec::new();
+    for eye in [5.0, 0.75] {
+        for pane in [2.0, 0.3, -0.4, -2.0, -1.0] {
+            if f64::from(pane) > eye - 0.5 {
+                continue;
+            }
+            for alpha in [0.4, 1.0] {
+                for step in [0.05, 0.3, 0.5, 7.0] {
+                    let what = format!("eye {eye} pane {pane} alpha {alpha} step {step}");
+                    scenes.push((what, fog_and_pane(eye, pane, alpha, step)));
+                }
+            }
+        }
+    }
+    scenes
+}
+
 /// A cube in which density and colour change along z, from 0 and blue to 3 and red.
 pub fn gradient() -> Scene {
     let mut scene = fog_and_pane(5.0, 2.0, 0.0, 1.0);
@@ -182,9 +202,14 @@ pub fn random_scene(seed: u64) -> Scene {
     let volumes = (0..1 + seed % 4).map(|i| random.volume(i == 0 && seed.is_multiple_of(3)));
     let volumes = volumes.collect();
     let mut scene = Scene::of("random", meshes).with_volumes(volumes);
+    seen_closely(&mut scene);
+    scene
+}
+
+/// So near that the near plane cuts volumes, and large ones have the eye in them.
+pub fn seen_closely(scene: &mut Scene) {
     scene.size = [48, 36];
     scene.background = [0.9, 0.8, 0.7];
-    // Near enough to the surfaces that the near plane cuts volumes.
     scene.camera = Camera {
         eye: DVec3::new(0.5, 0.7, 3.2),
         target: DVec3::ZERO,
@@ -193,5 +218,4 @@ pub fn random_scene(seed: u64) -> Scene {
         near: 1.0,
         far: 8.0,
     };
-    scene
 }

@@ -4,7 +4,6 @@ use super::stack::{Piece, Stack};
 use onionskin::image::Comparison;
 use onionskin::methods::{Compositing, DepthPeelingOptions, Frame};
 use onionskin::scene::generate::{Soup, soup};
-use onionskin::steps::{Amendment, Step};
 use onionskin::{Context, Method, Renderer, Scene};
 
 /// f32 colours composited in at most 64 roundings of 2^-24 each, and the oracle's own rounding to f32: 4e-6. The issue
@@ -73,15 +72,4 @@ pub fn over(frame: &Frame, stack: &Stack) -> usize {
     Comparison::new(&frame.image, &stack.expected(), F32)
         .unwrap()
         .over
-}
-
-pub const fn changed(printed: &'static [Step], amended: &'static [Step]) -> Amendment {
-    Amendment {
-        key: "",
-        place: "",
-        printed,
-        amended,
-        why: "to see whether it is noticed",
-        test: "",
-    }
 }

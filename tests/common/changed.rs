@@ -1,0 +1,14 @@
+//! An amendment of a test: other steps, to see whether that is noticed.
+
+use onionskin::steps::{Amendment, Step};
+
+pub const fn changed(printed: &'static [Step], amended: &'static [Step]) -> Amendment {
+    Amendment {
+        key: "",
+        place: "",
+        printed,
+        amended,
+        why: "to see whether it is noticed",
+        test: "",
+    }
+}
