@@ -1,25 +1,20 @@
-//! Depth peeling against the oracle: random fragment stacks, random triangle soups, every way to stop, and what happens
-//! when a word of the listing is changed.
+//! Depth peeling against the oracle: random fragment stacks, random triangle soups, every way to stop.
 
 use onionskin::image::Comparison;
 use onionskin::methods::{Compositing, DepthPeelingOptions, Frame, Peeling};
 use onionskin::scene::generate::{Soup, soup};
-use onionskin::steps::{Amendment, Map, Reason, Step};
-use onionskin::{Context, Method, Renderer, Scene, steps};
+use onionskin::steps::Reason;
+use onionskin::{Context, Method, Renderer, Scene};
 use proptest::test_runner::{TestCaseError, TestError};
 
-#[path = "common/changed.rs"]
-mod changed;
-use changed::changed;
+#[path = "common/peeling.rs"]
+mod peeling;
+use peeling::{F32, peel};
 
 #[path = "common/stack.rs"]
 #[allow(dead_code)]
 mod stack;
 use stack::{Piece, Stack, fragments, runner, stacks};
-
-/// f32 colours composited in at most 64 roundings of 2^-24 each, and the oracle's own rounding to f32: 4e-6. The issue
-/// that asked for exactness allows 1e-5.
-const F32: f64 = 1e-5;
 
 const BOTH: [Compositing; 2] = [Compositing::OnTheFly, Compositing::KeepLayers];
 
@@ -277,96 +272,6 @@ fn a_pixel_that_is_finished_waits_for_the_others() {
     );
 }
 
-#[test]
-fn a_listing_with_one_changed_word_gives_another_image() {
-    let context = Context::headless().unwrap();
-    let (_, stack) = exemplary();
-    let expected = stack.expected();
-    let off = |amendments: &'static [Amendment], as_printed| {
-        let options = DepthPeelingOptions {
-            maximum_number_of_peels: 12,
-            as_printed,
-            amendments,
-            ..Default::default()
-        };
-        Comparison::new(
-            &peel(&context, &stack.scene(), options).image,
-            &expected,
-            F32,
-        )
-        .unwrap()
-        .over
-    };
-    assert_eq!(off(&[], false), 0);
-    for (name, change) in CHANGES {
-        assert!(off(change, false) > 0, "{name} was not noticed");
-    }
-    // As printed, a layer's pixels are not told from background by their depth, so the colours must be clear.
-    const COLOR: &[Amendment] = &[changed(steps! { clear color buffer; }, steps! {})];
-    assert!(
-        off(COLOR, true) > 0,
-        "a dropped colour clear was not noticed"
-    );
-}
-
-#[test]
-fn swapping_a_and_b_throughout_changes_names_only() {
-    // 'A and B swapped' in both places where they are set, or in both where they are used, makes the same program.
-    const SET: &[Amendment] = &[changed(
-        steps! { A = i % 2; B = (i + 1) % 2; },
-        steps! { A = (i + 1) % 2; B = i % 2; },
-    )];
-    let context = Context::headless().unwrap();
-    let (_, stack) = exemplary();
-    let options = DepthPeelingOptions {
-        amendments: SET,
-        ..Default::default()
-    };
-    let frame = peel(&context, &stack.scene(), options);
-    assert_eq!(
-        Comparison::new(&frame.image, &stack.expected(), F32)
-            .unwrap()
-            .over,
-        0
-    );
-}
-
-/// One changed word each.
-const CHANGES: &[(&str, &[Amendment])] = &[
-    (
-        "GREATER to LESS",
-        &[changed(
-            steps! { set depth func to GREATER; },
-            steps! { set depth func to LESS; },
-        )],
-    ),
-    (
-        "LESS to GREATER",
-        &[changed(
-            steps! { set depth func to LESS; },
-            steps! { set depth func to GREATER; },
-        )],
-    ),
-    (
-        "A for B in unit 1",
-        &[changed(steps! { B = (i + 1) % 2; }, steps! { B = i % 2; })],
-    ),
-    (
-        "the depth buffer not started anew",
-        &[changed(FROM_OPAQUE, steps! {})],
-    ),
-    (
-        "depth writes left disabled",
-        &[changed(
-            steps! { enable depth writes; },
-            steps! { disable depth writes; },
-        )],
-    ),
-];
-
-const FROM_OPAQUE: &[Step] =
-    steps! { glCopyImageSubData(Map::named("opaque depth"), Map::at("depth buffer", "B")); };
-
 /// The deepest level.
 const LAST: u16 = stack::LEVELS - 1;
 
@@ -387,21 +292,6 @@ fn two_layers(opaque: Option<u16>) -> Stack {
     }
 }
 
-/// Five layers in no particular order, and the scene.
-fn exemplary() -> (Scene, Stack) {
-    let levels = [700, 100, 900, 300, 500];
-    let piece = |level: u16| Piece {
-        level,
-        color: [f32::from(level) / 1000.0, 0.5, 0.25, 0.5],
-    };
-    let stack = Stack {
-        width: 3,
-        pixels: vec![levels.map(piece).to_vec(); 6],
-        opaque: None,
-    };
-    (stack.scene(), stack)
-}
-
 fn soup_scene(seed: u64) -> Scene {
     let mesh = soup(&Soup {
         triangle_size: [0.5, 1.5],
@@ -413,13 +303,6 @@ fn soup_scene(seed: u64) -> Scene {
     let mut scene = Scene::of("soup", vec![mesh]);
     scene.size = [160, 120];
     scene
-}
-
-fn peel(context: &Context, scene: &Scene, options: DepthPeelingOptions) -> Frame {
-    let mut renderer = Renderer::new(context, scene.size[0], scene.size[1]).unwrap();
-    renderer
-        .render(scene, &Method::DepthPeeling(options))
-        .unwrap()
 }
 
 /// Renders random stacks both ways and judges them. A failure prints the smallest stack as fragment lists.
