@@ -1,7 +1,7 @@
 //! What Everitt 2001 claims of the layers (E01, E02, E10), each claim under its key. E03, Listing 1 as text, is in
-//! `listings.rs`; E04 and E05 in `gl_claims_everitt_depth_units.rs`, E12 and E13 in `gl_claims_everitt_compositing.rs`; E08
-//! and what E04 says of the OpenGL of 2001 in `gl_classic_*.rs`; E06, E07 and E09 in `gl_invariance.rs`; E11 in
-//! `gl_cross_section.rs`.
+//! `listings.rs`; E04 and E05 in `gl_claims_everitt_depth_units.rs`, E12 and E13 in `gl_claims_everitt_compositing.rs`, their
+//! errors in numbers in `gl_accumulation.rs`; E08 and what E04 says of the OpenGL of 2001 in `gl_classic_*.rs`; E06, E07
+//! and E09 in `gl_invariance.rs`; E11 in `gl_cross_section.rs`.
 
 #[path = "common/everitt_scenes.rs"]
 #[allow(dead_code)]
