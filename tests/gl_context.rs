@@ -223,6 +223,22 @@ fn many_frames_of_all_methods_in_turn_give_the_images_of_fresh_renderers() {
     }
 }
 
+/// A measured frame leaves out what a method counts for its statistics only, and counts it in another frame.
+#[test]
+fn a_measured_frame_is_the_rendered_one_but_for_its_time() {
+    let context = Context::headless().unwrap();
+    let scene = scene();
+    let [width, height] = scene.size;
+    let mut renderer = Renderer::new(&context, width, height).unwrap();
+    for method in all_methods() {
+        let mut measured = renderer.measure(&scene, &method, 2).unwrap();
+        let rendered = renderer.render(&scene, &method).unwrap();
+        measured.stats.ms = rendered.stats.ms;
+        assert_eq!(measured.stats, rendered.stats);
+        assert!(measured.image == rendered.image, "{method}");
+    }
+}
+
 #[test]
 fn a_smaller_scene_after_a_larger_one_leaves_nothing_of_it() {
     let context = Context::headless().unwrap();

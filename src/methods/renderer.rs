@@ -147,7 +147,7 @@ impl<'c> Renderer<'c> {
     }
 
     /// Renders a frame to warm up and then `frames` more, or as many as begin within two seconds, but at least one; the
-    /// time is their median.
+    /// time is their median. What a method counts for its statistics only, it counts in one frame more.
     ///
     /// # Errors
     /// As [`Renderer::render`].
@@ -155,6 +155,7 @@ impl<'c> Renderer<'c> {
         let shown = self.set_up_for(scene, method)?;
         let scene = &*shown.scene;
         let mut algorithm = self.prepare(scene, method)?;
+        let counts_apart = algorithm.count_costs(&mut self.machine, false)?;
         self.draw(scene, algorithm.as_mut())?;
         let start = Instant::now();
         let (mut drawn, ms) = self.draw(scene, algorithm.as_mut())?;
@@ -163,6 +164,10 @@ impl<'c> Renderer<'c> {
             let (again, ms) = self.draw(scene, algorithm.as_mut())?;
             drawn = again;
             times.push(ms);
+        }
+        if counts_apart {
+            algorithm.count_costs(&mut self.machine, true)?;
+            (drawn, _) = self.draw(scene, algorithm.as_mut())?;
         }
         self.machine
             .aside(|machine| algorithm.account(machine, &mut drawn))?;

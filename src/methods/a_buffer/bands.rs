@@ -2,6 +2,7 @@
 //!
 //! "Nothing lost" begins here: list memory is sized from an exact count of every pixel's fragments.
 
+use super::deepest;
 use super::options::{ABufferOptions, Fill, Manager};
 use crate::error::{Error, Result};
 use crate::gl::GlMachine;
@@ -99,7 +100,7 @@ pub fn bands(
         let row = Band {
             first_row: row as u32,
             rows: 1,
-            layers: counts.iter().copied().max().unwrap_or(0),
+            layers: deepest(counts),
             fragments: counts.iter().copied().map(u64::from).sum(),
         };
         if !fits(&row) {

@@ -60,10 +60,14 @@ pub struct ABufferCounts {
 pub(super) struct ABuffer {
     pub(super) options: ABufferOptions,
     counts: ABufferCounts,
+    /// Whether the Resolve Step writes down what each pixel costs.
+    counts_costs: bool,
     /// VOLUMES and POINTS, for the shaders.
     volumes: [(&'static str, u32); 2],
     /// Every pixel's complexity, row by row from the bottom.
     complexity: Vec<u32>,
+    /// The deepest pixel's.
+    layers: u32,
 }
 
 /// Buffers that a listing binds whether the manager has them or not.
@@ -74,8 +78,10 @@ impl ABuffer {
         Self {
             options,
             counts: ABufferCounts::default(),
+            counts_costs: true,
             volumes: [("VOLUMES", 0), ("POINTS", 0)],
             complexity: Vec::new(),
+            layers: 0,
         }
     }
 
@@ -156,16 +162,26 @@ impl Algorithm for ABuffer {
         machine.allocate(paper::ANCHOR, Format::R32Ui)?;
         machine.allocate(paper::COST, Format::Rgba32Ui)?;
         let depth = vtk::OPAQUE_DEPTH;
-        let lists = [paper::COUNTER, paper::ANCHOR];
-        machine.target_of(paper::CLEARED, &lists, Some(depth))?;
-        // What is attached costs time, written or not.
-        let inouts: &[_] = match (self.ordered(machine), self.options.manager) {
-            (false, _) => &[],
-            (true, Manager::Ffb | Manager::Dfb) => &[paper::COUNTER],
-            (true, Manager::Ppll) => &lists,
+        let lists: &[_] = match self.options.manager {
+            Manager::Ffb | Manager::Dfb => &[paper::COUNTER],
+            Manager::Ppll => &[paper::COUNTER, paper::ANCHOR],
         };
+        machine.target_of(paper::CLEARED, lists, Some(depth))?;
+        // What is attached costs time, written or not.
+        let inouts = if self.ordered(machine) { lists } else { &[] };
         machine.target_of(paper::FILL, inouts, Some(depth))?;
-        machine.target_of(paper::RESOLVED, &[IMAGE, paper::COST], Some(depth))
+        self.count_costs(machine, true)?;
+        Ok(())
+    }
+
+    fn count_costs(&mut self, machine: &mut GlMachine<'_>, counts: bool) -> Result<bool> {
+        self.counts_costs = counts;
+        let colors: &[_] = match counts {
+            true => &[IMAGE, paper::COST],
+            false => &[IMAGE],
+        };
+        machine.target_of(paper::RESOLVED, colors, Some(vtk::OPAQUE_DEPTH))?;
+        Ok(true)
     }
 
     fn draw(&mut self, machine: &mut GlMachine<'_>, scene: &Scene) -> Result<Drawn> {
@@ -183,7 +199,10 @@ impl Algorithm for ABuffer {
             run(&paper::OPAQUE_ENDS_RAYS, &[], Variables::new(), machine)?;
             machine.bind_volumes()?;
         }
-        run(&paper::CLEAR_COST, &[], Variables::new(), machine)?;
+        if self.counts_costs {
+            run(&paper::CLEAR_COST, &[], Variables::new(), machine)?;
+        }
+        self.layers = bands.iter().map(|band| band.layers).max().unwrap_or(0);
         self.counts = ABufferCounts {
             bands: bands.len() as u32,
             list_bytes: bands
@@ -247,6 +266,12 @@ pub(super) fn expect_stencil(machine: &GlMachine<'_>) -> Result<()> {
 /// The most that the stencil buffer counts without being full.
 const STENCIL_COUNTS: u32 = 254;
 
+/// The largest of some complexities.
+fn deepest(counts: &[u32]) -> u32 {
+    // Unlike `max` of an iterator, this is compared many at a time.
+    counts.iter().copied().fold(0, u32::max)
+}
+
 /// How a listing that draws transparent objects is amended for this scene.
 pub(super) const fn fused(scene: &Scene) -> &'static [Amendment] {
     if scene.volumes.is_empty() {
@@ -271,7 +296,7 @@ impl ABuffer {
             let variables = Variables::new();
             run(&paper::COUNT_BY_STENCIL, proxies, variables, machine)?;
             let counts = machine.read_counts(vtk::OPAQUE_DEPTH)?;
-            if counts.iter().all(|&count| count <= STENCIL_COUNTS) {
+            if deepest(&counts) <= STENCIL_COUNTS {
                 return Ok(counts);
             }
         }
@@ -316,7 +341,7 @@ impl ABuffer {
         machine.bind_texels(3, paper::RECORDS)?;
         let renderer = &machine.context().driver().renderer;
         let insertion = match options.sort {
-            Sort::Automatic => self.complexity.iter().all(|&count| count <= FEW),
+            Sort::Automatic => self.layers <= FEW,
             Sort::Network => false,
             Sort::Insertion => true,
         };
