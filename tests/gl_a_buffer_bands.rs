@@ -42,6 +42,39 @@ fn bands_of_any_height_give_the_same_image_bit_for_bit() {
     }
 }
 
+/// Bands take turns in the same buffers: what has been allocated is what the largest band needs, in whatever order they
+/// come, and besides the lists only the maps.
+#[test]
+fn bands_share_buffers_that_are_as_large_as_the_largest_needs() {
+    let context = Context::headless().unwrap();
+    let scene = soup_scene(4);
+    let [width, height] = scene.size;
+    for manager in MANAGERS {
+        let mut renderer = Renderer::new(&context, width, height).unwrap();
+        let mut beside_lists = |budget| {
+            let options = ABufferOptions {
+                budget,
+                ..small(manager)
+            };
+            let frame = renderer.render(&scene, &Method::ABuffer(options)).unwrap();
+            let counts = frame.stats.a_buffer.unwrap();
+            (frame.stats.bytes - counts.list_bytes, counts)
+        };
+        let (maps, whole) = beside_lists(None);
+        let (maps_and_slack, banded) = beside_lists(Some(whole.list_bytes / 5));
+        assert!(banded.bands > 2, "{manager:?}: {banded:?}");
+        // The band with the most records need not be the one with the most rows, whose base offsets take 4 bytes a pixel.
+        let slack = match manager {
+            Manager::Ffb => 0,
+            Manager::Dfb | Manager::Ppll => u64::from(width * height) * 4,
+        };
+        assert!(
+            (maps..=maps + slack).contains(&maps_and_slack),
+            "{manager:?}: {maps} bytes beside the lists, in bands {maps_and_slack}"
+        );
+    }
+}
+
 /// The large sizes once, with the manager that the prefix scan serves, over an odd size and a budget.
 #[test]
 fn large_images_are_the_same_in_bands() {

@@ -58,7 +58,8 @@ pub fn largest_storage(context: &Context, texels: Texels) -> u64 {
 }
 
 impl GlMachine<'_> {
-    /// Makes a buffer of so many bytes, unless it is there in that size. Its contents are undefined.
+    /// Makes a buffer of at least so many bytes, unless there is one. Its contents are undefined. Buffers do not shrink: the
+    /// bands of an image take turns in one that is as large as the largest band needs.
     ///
     /// # Errors
     /// If the driver has no room.
@@ -70,10 +71,11 @@ impl GlMachine<'_> {
     ) -> Result<()> {
         // A buffer without a byte cannot be bound.
         let bytes = bytes.max(16);
-        let same = |there: &StorageBuffer| {
-            there.bytes == bytes && there.texture.map(|(texels, _)| texels) == texels
+        let is_enough = |there: &StorageBuffer| {
+            let read_as = there.texture.map(|(texels, _)| texels);
+            there.bytes >= bytes && (texels.is_none() || texels == read_as)
         };
-        if self.storages.get(&storage).is_some_and(same) {
+        if self.storages.get(&storage).is_some_and(is_enough) {
             return Ok(());
         }
         self.free_storage(storage);
