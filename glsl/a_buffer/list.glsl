@@ -4,9 +4,19 @@ layout(binding = 1) uniform usampler2D counter;
 layout(binding = 3) uniform usamplerBuffer records;
 
 // How many fragments the pixel has.
+#if OFFSETS
+#include "a_buffer/offset.glsl"
+uint list_length() {
+    uint base = base_offset();
+    uint end = texelFetch(counter, ivec2(gl_FragCoord.xy), 0).r;
+    // Next to the band, where its neighbours are shaded along with it, neither means anything; but loops have to end.
+    return end > base ? min(end - base, band.layers) : 0u;
+}
+#else
 uint list_length() {
     return texelFetch(counter, ivec2(gl_FragCoord.xy), 0).r;
 }
+#endif
 
 #if MANAGER == FFB
 #include "a_buffer/fixed.glsl"
@@ -17,11 +27,8 @@ uint list_next(uint at) {
     return at + fixed_stride();
 }
 #elif MANAGER == DFB
-layout(std430, binding = 2) readonly buffer Offsets {
-    uint base_offset[];
-};
 uint list_first() {
-    return base_offset[pixel()];
+    return base_offset();
 }
 uint list_next(uint at) {
     return at + 1u;

@@ -148,7 +148,8 @@ impl Surfaces {
 }
 
 /// The shaders that draw [`Objects::Screen`]; all others draw surfaces.
-const ON_THE_SCREEN: [&str; 12] = [
+const ON_THE_SCREEN: [&str; 13] = [
+    "a_buffer/begin",
     "a_buffer/resolve",
     "a_buffer/resolve_segment",
     "clip/next_bound",

@@ -64,15 +64,14 @@ impl GlMachine<'_> {
         levels.map(|n| (n * 4).max(16)).sum()
     }
 
-    /// Makes `offsets` hold, for each pixel of the current band, the sum of the counts of the pixels before it, row by row
-    /// from the band's first. `counts` is a map of whole numbers in float texels; the uniform block is the band's.
+    /// Makes `offsets` hold, for each pixel of the image, the sum of the counts of the pixels before it, row by row from the
+    /// bottom, modulo 2^32. `counts` is a map of whole numbers in float texels.
     ///
     /// # Errors
     /// If the driver has no room.
     pub fn prefix_scan(&mut self, counts: Map, offsets: Storage) -> Result<()> {
         let [width, height] = self.size;
-        let rows = self.band.map_or(height, |[_, rows]| rows);
-        let numbers = width * rows;
+        let numbers = width * height;
         if self.scan.is_none() {
             self.scan = Some(ScanPrograms::new(self.context.glow())?);
         }
@@ -91,7 +90,7 @@ impl GlMachine<'_> {
         self.perform(&Call::ActiveTexture { unit: 1 })?;
         self.perform(&Call::BindTexture { texture: counts })?;
         self.perform(&Call::ActiveTexture { unit: 0 })?;
-        self.gather(offsets, [width, rows])?;
+        self.gather(offsets)?;
         for pair in levels.windows(2) {
             self.level(pair[0], pair[1].0, None)?;
         }
@@ -105,7 +104,8 @@ impl GlMachine<'_> {
         Ok(())
     }
 
-    fn gather(&mut self, counts: Storage, [width, rows]: [u32; 2]) -> Result<()> {
+    fn gather(&mut self, counts: Storage) -> Result<()> {
+        let [width, height] = self.size;
         self.perform(&Call::BindStorage {
             index: 0,
             buffer: counts,
@@ -115,9 +115,9 @@ impl GlMachine<'_> {
             // SAFETY: the program is linked; the shader writes only the numbers that the buffer has room for.
             unsafe {
                 gl.use_program(Some(scan.gather.raw));
-                let place = gl.get_uniform_location(scan.gather.raw, "rows");
-                gl.uniform_1_u32(place.as_ref(), rows);
-                gl.dispatch_compute(width.div_ceil(TILE), rows.div_ceil(TILE), 1);
+                let place = gl.get_uniform_location(scan.gather.raw, "size");
+                gl.uniform_2_u32(place.as_ref(), width, height);
+                gl.dispatch_compute(width.div_ceil(TILE), height.div_ceil(TILE), 1);
                 gl.memory_barrier(glow::SHADER_STORAGE_BARRIER_BIT);
             }
         }

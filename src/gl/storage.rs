@@ -226,13 +226,14 @@ impl GlMachine<'_> {
         Ok(())
     }
 
-    /// Four numbers for the shaders' uniform block 0.
+    /// Five numbers for the shaders' uniform block 0.
     ///
     /// # Errors
     /// If the driver has no room.
-    pub fn set_parameters(&mut self, parameters: [u32; 4]) -> Result<()> {
+    pub fn set_parameters(&mut self, parameters: [u32; 5]) -> Result<()> {
         const PARAMETERS: Storage = Storage("parameters");
-        self.allocate_storage(PARAMETERS, 16, None)?;
+        // A block is as long as whole groups of four.
+        self.allocate_storage(PARAMETERS, 32, None)?;
         self.write_storage(PARAMETERS, &parameters)?;
         self.bind_uniforms(0, PARAMETERS)
     }

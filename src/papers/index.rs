@@ -95,7 +95,7 @@ pub const fn papers() -> &'static [Paper] {
                 (
                     "clear-and-fill",
                     lindholm_2015::CLEAR_AND_FILL,
-                    &[lindholm_2015::ORDERED],
+                    &[lindholm_2015::BEGIN_AT_OFFSETS, lindholm_2015::ORDERED],
                 ),
                 ("resolve", lindholm_2015::RESOLVE, &[]),
                 (

@@ -128,6 +128,21 @@ pub const ORDERED: Amendment = Amendment {
     test: "l04_every_manager_and_fill_gives_the_oracle_s_image",
 };
 
+/// With base offsets a pixel's counter begins at its own. The depth test is enabled again before the Fill Step.
+pub const BEGIN_AT_OFFSETS: Amendment = Amendment {
+    key: "L05",
+    place: "figure 3, Clear Step",
+    printed: steps! { glClearBufferuiv(0); },
+    amended: steps! {
+        glDisable(DEPTH_TEST);
+        glBindStorageBuffer(2, OFFSETS);
+        glUseProgram(BEGIN);
+        drawScreen();
+    },
+    why: "the counter then says where the next record goes, and no fragment looks up its pixel's offset",
+    test: "l05_base_offsets_keep_every_pixel_s_list_to_itself",
+};
+
 /// To every listing here that draws the transparent objects, where the scene has volumes: "for volumetric sources, only the
 /// associated proxy geometry is rendered during the Fill Step". Whether a ray is inside of a volume is read off the
 /// list, so a proxy's fragment must be in it wherever it lies: behind opaque surfaces (no depth test), before the near
@@ -283,7 +298,7 @@ const AFTER_RESOLVE: Listing = Listing {
 
 /// The depth complexity: a count of fragments for each pixel.
 pub const COMPLEXITY: Map = Map::named("complexity");
-/// One counter a pixel that the Fill Step counts up.
+/// One counter a pixel that the Fill Step counts up, from 0 or from the pixel's base offset.
 pub const COUNTER: Map = Map::named("fragment counter");
 /// PPLL: where each pixel's list begins, 0 for nowhere.
 pub const ANCHOR: Map = Map::named("list anchor");
@@ -313,6 +328,7 @@ pub const COVERED: Query = Query("resolved pixels");
 
 const COUNT_ATOMICALLY: Shader = Shader("a_buffer/count");
 const COUNT_ONE: Shader = Shader("a_buffer/one");
+const BEGIN: Shader = Shader("a_buffer/begin");
 const FILL_ATOMICALLY: Shader = Shader("a_buffer/fill");
 const FILL_IN_ORDER: Shader = Shader("a_buffer/fill_ordered");
 const RESOLVE_ALL: Shader = Shader("a_buffer/resolve");

@@ -9,12 +9,14 @@ macro_rules! files {
 /// Names and texts.
 pub(super) const FILES: &[(&str, &str)] = files! {
     "a_buffer/band.glsl"
+    "a_buffer/begin.frag"
     "a_buffer/count.frag"
     "a_buffer/fill.frag"
     "a_buffer/fill_ordered.frag"
     "a_buffer/fixed.glsl"
     "a_buffer/list.glsl"
     "a_buffer/local_array.glsl"
+    "a_buffer/offset.glsl"
     "a_buffer/one.frag"
     "a_buffer/pixel.glsl"
     "a_buffer/place.glsl"

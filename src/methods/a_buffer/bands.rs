@@ -29,17 +29,9 @@ impl Band {
         }
     }
 
-    /// Bytes of the lists: records, links, base offsets. An automatic fill counts as an ordered one.
+    /// Bytes of the records and links.
     pub fn bytes(&self, options: &ABufferOptions, width: u32) -> u64 {
-        let offsets = match (options.manager, options.fill) {
-            (Manager::Ffb, _) => 0,
-            // The pool's counter.
-            (Manager::Ppll, Fill::Atomics) => 16,
-            (Manager::Dfb | Manager::Ppll, _) => {
-                GlMachine::scan_bytes(u64::from(width) * u64::from(self.rows))
-            }
-        };
-        self.records(options.manager, width) * options.record_bytes() + offsets
+        self.records(options.manager, width) * options.record_bytes()
     }
 
     fn with(self, next: Self) -> Self {
@@ -55,8 +47,10 @@ impl Band {
 /// What the lists may take.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Room {
-    /// Bytes of all lists of a band together. What a single row needs beyond that is refused.
+    /// Bytes of all lists of a band together, and of `beside`. What a single row needs beyond that is refused.
     pub bytes: u64,
+    /// Bytes that are taken whatever the band: the base offsets of the whole image's pixels, or the pool's counter.
+    pub beside: u64,
     /// Records of a band, all in one buffer; as `bytes`.
     pub records: u64,
     /// Bytes of a band that has more than one row.
@@ -64,6 +58,15 @@ pub struct Room {
 }
 
 impl Room {
+    /// What is taken beside the lists of an image of so many pixels. An automatic fill counts as an ordered one.
+    pub fn beside(options: &ABufferOptions, pixels: u64) -> u64 {
+        match (options.manager, options.fill) {
+            (Manager::Ffb, _) => 0,
+            (Manager::Ppll, Fill::Atomics) => 16,
+            (Manager::Dfb | Manager::Ppll, _) => GlMachine::scan_bytes(pixels),
+        }
+    }
+
     /// Bytes for bands that are rendered quickly, by a rasterizer that runs on the CPU.
     ///
     /// Llvmpipe bins all triangles of a band, then draws tile by tile; with lists of 8 MiB, what a tile needs of them stays in
@@ -91,7 +94,7 @@ pub fn bands(
     room: Room,
 ) -> Result<Vec<Band>> {
     let fits = |band: &Band| {
-        band.bytes(options, width) <= room.bytes
+        band.bytes(options, width).saturating_add(room.beside) <= room.bytes
             && band.records(options.manager, width) <= room.records
     };
     let is_quick = |band: &Band| band.bytes(options, width) <= room.quick;
@@ -119,16 +122,21 @@ pub fn bands(
 fn too_large(row: &Band, width: u32, options: &ABufferOptions, room: Room) -> Error {
     let what = format!(
         "the fragment lists of one row of {width} pixels need {} records of {} bytes, {} bytes in all ({} fragments, {} \
-         in the deepest pixel); there is room for {} records and {} bytes",
+         in the deepest pixel), and {} bytes beside them for the whole image; there is room for {} records and {} \
+         bytes",
         row.records(options.manager, width),
         options.record_bytes(),
         row.bytes(options, width),
         row.fragments,
         row.layers,
+        room.beside,
         room.records,
         room.bytes,
     );
     let remedy = match options.manager {
+        Manager::Dfb | Manager::Ppll if room.beside > room.bytes / 2 => {
+            "give it a larger budget, or use ffb, which needs nothing beside the lists"
+        }
         Manager::Ffb => {
             "give it a larger budget, or use dfb, which needs room only for what is there"
         }
@@ -143,6 +151,7 @@ mod tests {
 
     const NO_LIMIT: Room = Room {
         bytes: u64::MAX,
+        beside: 0,
         records: u64::MAX,
         quick: u64::MAX,
     };
@@ -189,17 +198,18 @@ mod tests {
                 let counts: Vec<u32> = (0..width * rows).map(|_| random() % 5).collect();
                 let room = Room {
                     bytes: 700 + u64::from(random() % 2000),
+                    beside: u64::from(random() % 500),
                     ..NO_LIMIT
                 };
                 let Ok(bands) = bands(&counts, width, &options, room) else {
-                    let row = 4 * u64::from(width) * options.record_bytes() + 200;
+                    let row = 4 * u64::from(width) * options.record_bytes() + room.beside;
                     assert!(row > room.bytes, "{manager:?} {width} {room:?}: refused");
                     continue;
                 };
                 let mut next = 0;
                 for band in &bands {
                     assert_eq!(band.first_row, next);
-                    assert!(band.bytes(&options, width) <= room.bytes);
+                    assert!(band.bytes(&options, width) + room.beside <= room.bytes);
                     next += band.rows;
                 }
                 assert_eq!(next, rows);
@@ -215,7 +225,7 @@ mod tests {
                 };
                 for pair in bands.windows(2) {
                     let longer = pair[0].with(first_row_of(&pair[1]));
-                    assert!(longer.bytes(&options, width) > room.bytes);
+                    assert!(longer.bytes(&options, width) + room.beside > room.bytes);
                 }
             }
         }
@@ -249,6 +259,21 @@ mod tests {
         let refused = bands(&[0, 9], 2, &options(Manager::Ffb), room).unwrap_err();
         let text = refused.to_string();
         for part in ["288 bytes", "9 in the deepest pixel", "100 bytes", "dfb"] {
+            assert!(text.contains(part), "{part}: {text}");
+        }
+    }
+
+    #[test]
+    fn base_offsets_that_take_the_budget_are_named() {
+        let dynamic = options(Manager::Dfb);
+        let room = Room {
+            bytes: 3000,
+            beside: Room::beside(&dynamic, 1000),
+            ..NO_LIMIT
+        };
+        let text = bands(&[0, 9], 2, &dynamic, room).unwrap_err().to_string();
+        // 1000 offsets, 16 sums of 64, and the sum of all in what a buffer has at least.
+        for part in ["4080 bytes beside", "3000 bytes", "ffb"] {
             assert!(text.contains(part), "{part}: {text}");
         }
     }

@@ -17,6 +17,7 @@
 //! Excludes: multisampling.
 
 mod bands;
+mod lists;
 mod loops;
 mod options;
 
@@ -32,7 +33,7 @@ use crate::gl::{Format, GlMachine, Texels, largest_storage};
 use crate::papers::lindholm_2015 as paper;
 use crate::papers::vtk;
 use crate::scene::Scene;
-use crate::steps::{Amendment, Machine, Reason, Storage, Variables, run};
+use crate::steps::{Amendment, Machine, Reason, Variables, run};
 
 /// What an A-buffer has cost; none of it depends on the machine.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -70,9 +71,6 @@ pub(super) struct ABuffer {
     layers: u32,
 }
 
-/// Buffers that a listing binds whether the manager has them or not.
-const UNUSED: [Storage; 3] = [paper::NEXT, paper::OFFSETS, paper::POOL];
-
 impl ABuffer {
     pub(super) fn new(options: ABufferOptions) -> Self {
         Self {
@@ -103,8 +101,10 @@ impl ABuffer {
         let renderer = &machine.context().driver().renderer;
         let triangles = scene.triangle_count() as u64;
         let quick = || Room::quick(renderer, triangles, self.options.record_bytes());
+        let [width, height] = machine.size();
         Room {
             bytes: self.options.budget.unwrap_or(u64::MAX),
+            beside: Room::beside(&self.options, u64::from(width) * u64::from(height)),
             records: largest.min(links),
             quick: self.options.budget.unwrap_or_else(quick),
         }
@@ -120,6 +120,7 @@ impl ABuffer {
             ("DFB", Manager::Dfb as u32),
             ("PPLL", Manager::Ppll as u32),
             ("MANAGER", options.manager as u32),
+            ("OFFSETS", yes(options.has_offsets())),
             // Ordered fragments leave lists in the order of submission.
             ("IN_ORDER", yes(self.ordered(machine))),
             ("FLOAT_COLOR", yes(options.color == RecordColor::Float)),
@@ -189,12 +190,8 @@ impl Algorithm for ABuffer {
         let proxies = fused(scene);
         self.complexity = self.count(machine, proxies)?;
         let width = machine.size()[0];
-        let bands = bands(
-            &self.complexity,
-            width,
-            &self.options,
-            self.room(machine, scene),
-        )?;
+        let room = self.room(machine, scene);
+        let bands = bands(&self.complexity, width, &self.options, room)?;
         if !scene.volumes.is_empty() {
             run(&paper::OPAQUE_ENDS_RAYS, &[], Variables::new(), machine)?;
             machine.bind_volumes()?;
@@ -205,15 +202,15 @@ impl Algorithm for ABuffer {
         self.layers = bands.iter().map(|band| band.layers).max().unwrap_or(0);
         self.counts = ABufferCounts {
             bands: bands.len() as u32,
-            list_bytes: bands
-                .iter()
-                .map(|band| band.bytes(&self.options, width))
-                .max()
-                .unwrap_or(0),
             ..ABufferCounts::default()
         };
+        self.allocate_lists(machine, &bands)?;
+        self.counts.list_bytes += room.beside;
+        let mut fragments_before = 0;
         for band in bands.iter().filter(|band| band.fragments > 0) {
+            self.begin_band(machine, band, fragments_before)?;
             self.draw_band(machine, band, proxies)?;
+            fragments_before += band.fragments;
         }
         machine.set_band(None);
         Ok(Drawn {
@@ -286,12 +283,7 @@ impl ABuffer {
     /// to be in a texture.
     fn count(&self, machine: &mut GlMachine<'_>, proxies: &[Amendment]) -> Result<Vec<u32>> {
         let depth = Some(vtk::OPAQUE_DEPTH);
-        let is_scanned = match self.options.manager {
-            Manager::Ffb => false,
-            Manager::Dfb => true,
-            Manager::Ppll => self.options.fill != Fill::Atomics,
-        };
-        if !is_scanned && machine.format(vtk::OPAQUE_DEPTH)?.has_stencil() {
+        if !self.options.has_offsets() && machine.format(vtk::OPAQUE_DEPTH)?.has_stencil() {
             machine.target_of(paper::COUNT, &[], depth)?;
             let variables = Variables::new();
             run(&paper::COUNT_BY_STENCIL, proxies, variables, machine)?;
@@ -313,32 +305,7 @@ impl ABuffer {
         band: &Band,
         proxies: &[Amendment],
     ) -> Result<()> {
-        let width = machine.size()[0];
         let options = &self.options;
-        let records = band.records(options.manager, width);
-        machine.set_band(Some([band.first_row, band.rows]));
-        machine.set_parameters([band.first_row, width, band.layers, records as u32])?;
-        let words = match options.color {
-            RecordColor::Half => 16,
-            RecordColor::Float => 32,
-        };
-        machine.allocate_storage(paper::RECORDS, records * words, Some(Texels::Rgba32Ui))?;
-        for storage in UNUSED {
-            machine.allocate_storage(storage, 16, None)?;
-        }
-        match options.manager {
-            Manager::Ffb => {}
-            Manager::Dfb => machine.prefix_scan(paper::COMPLEXITY, paper::OFFSETS)?,
-            Manager::Ppll => {
-                machine.allocate_storage(paper::NEXT, records * 4, Some(Texels::R32Ui))?;
-                match options.fill {
-                    Fill::Atomics => machine.clear_storage(paper::POOL)?,
-                    _ => machine.prefix_scan(paper::COMPLEXITY, paper::OFFSETS)?,
-                }
-                machine.bind_texels(4, paper::NEXT)?;
-            }
-        }
-        machine.bind_texels(3, paper::RECORDS)?;
         let renderer = &machine.context().driver().renderer;
         let insertion = match options.sort {
             Sort::Automatic => self.layers <= FEW,
@@ -349,6 +316,9 @@ impl ABuffer {
             insertion && (!options.pp_dp || loops::insertion_fits(renderer, band.layers));
         machine.set_constants(&self.constants(machine, insertion));
         let mut fill = Vec::new();
+        if options.has_offsets() {
+            fill.push(paper::BEGIN_AT_OFFSETS);
+        }
         if self.ordered(machine) {
             fill.push(paper::ORDERED);
         }

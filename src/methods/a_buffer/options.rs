@@ -81,8 +81,9 @@ pub struct ABufferOptions {
     pub color: RecordColor,
     /// A ray ends when less light than this comes through, 0 to 1. 0, the default, is exact; the paper has 0.02.
     pub termination: f32,
-    /// The most bytes that fragment lists may take. What does not fit is rendered in horizontal bands. If it is none: as many
-    /// as the driver has room for and renders quickly ([`Room::quick`](super::Room::quick)).
+    /// The most bytes that fragment lists may take, all pixels' base offsets included. What does not fit is rendered in
+    /// horizontal bands. If it is none: as many as the driver has room for and renders quickly
+    /// ([`Room::quick`](super::Room::quick)).
     pub budget: Option<u64>,
     /// ppAO masked by the stencil buffer and ppDP by depth alone, with nothing amended.
     pub as_printed: bool,
@@ -131,6 +132,14 @@ impl ABufferOptions {
         match self.manager {
             Manager::Ppll => record + 4,
             Manager::Ffb | Manager::Dfb => record,
+        }
+    }
+
+    /// Whether a pixel's records lie behind a base offset. An automatic fill counts as an ordered one.
+    pub(super) fn has_offsets(&self) -> bool {
+        match (self.manager, self.fill) {
+            (Manager::Ffb, _) | (Manager::Ppll, Fill::Atomics) => false,
+            (Manager::Dfb | Manager::Ppll, _) => true,
         }
     }
 

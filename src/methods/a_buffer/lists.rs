@@ -1,0 +1,71 @@
+//! The lists' buffers: made once, and used by one band after the other; the base offsets are the whole image's.
+
+use super::bands::Band;
+use super::options::{Fill, Manager, RecordColor};
+use super::{ABuffer, paper};
+use crate::error::Result;
+use crate::gl::{GlMachine, Texels};
+use crate::steps::Storage;
+
+/// Buffers that a listing binds whether the manager has them or not.
+const UNUSED: [Storage; 3] = [paper::NEXT, paper::OFFSETS, paper::POOL];
+
+impl ABuffer {
+    /// Makes the buffers as large as any of the bands needs them, and scans for the base offsets.
+    pub(super) fn allocate_lists(
+        &mut self,
+        machine: &mut GlMachine<'_>,
+        bands: &[Band],
+    ) -> Result<()> {
+        let width = machine.size()[0];
+        let options = &self.options;
+        let records = bands
+            .iter()
+            .map(|band| band.records(options.manager, width))
+            .max()
+            .unwrap_or(0);
+        self.counts.list_bytes = records * options.record_bytes();
+        let bytes = match options.color {
+            RecordColor::Half => 16,
+            RecordColor::Float => 32,
+        };
+        for storage in UNUSED {
+            machine.allocate_storage(storage, 16, None)?;
+        }
+        machine.allocate_storage(paper::RECORDS, records * bytes, Some(Texels::Rgba32Ui))?;
+        machine.bind_texels(3, paper::RECORDS)?;
+        if options.manager == Manager::Ppll {
+            machine.allocate_storage(paper::NEXT, records * 4, Some(Texels::R32Ui))?;
+            machine.bind_texels(4, paper::NEXT)?;
+        }
+        if options.has_offsets() {
+            machine.prefix_scan(paper::COMPLEXITY, paper::OFFSETS)?;
+        }
+        Ok(())
+    }
+
+    /// Gets the buffers ready for a band, before which there are so many fragments.
+    pub(super) fn begin_band(
+        &self,
+        machine: &mut GlMachine<'_>,
+        band: &Band,
+        fragments_before: u64,
+    ) -> Result<()> {
+        let width = machine.size()[0];
+        let options = &self.options;
+        let records = band.records(options.manager, width) as u32;
+        machine.set_band(Some([band.first_row, band.rows]));
+        machine.set_parameters([
+            band.first_row,
+            width,
+            band.layers,
+            records,
+            // All offsets may have wrapped around; their differences are right all the same.
+            fragments_before as u32,
+        ])?;
+        if options.manager == Manager::Ppll && options.fill == Fill::Atomics {
+            machine.clear_storage(paper::POOL)?;
+        }
+        Ok(())
+    }
+}
