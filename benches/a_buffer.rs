@@ -9,7 +9,8 @@ use onionskin::scene::generate::{TorusKnot, torus_knot};
 use onionskin::{Context, Method, Renderer, Result, Scene};
 
 const SIZE: [u32; 2] = [1024, 768];
-const FRAMES: usize = 7;
+/// Or as many as begin within two seconds.
+const FRAMES: usize = 41;
 
 fn main() -> Result<()> {
     let context = Context::headless()?;
