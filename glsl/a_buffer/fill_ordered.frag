@@ -1,7 +1,7 @@
 #version 450 core
 #extension GL_EXT_shader_framebuffer_fetch : require
-// Fill Step with ordered fragments: the pixel's counter, and with PPLL its anchor, are colours of the framebuffer, which
-// a fragment reads and writes in its turn. No atomics.
+// Fill Step with ordered fragments: the pixel's counter is a colour of the framebuffer, which a fragment reads and writes
+// in its turn. No atomics.
 
 layout(early_fragment_tests) in;
 
@@ -12,7 +12,6 @@ layout(early_fragment_tests) in;
 
 layout(location = 0) inout uint counter;
 #if MANAGER == PPLL
-layout(location = 1) inout uint anchor;
 layout(std430, binding = 1) writeonly buffer Next {
     uint next[];
 };
@@ -31,8 +30,8 @@ void main() {
         records[at * WORDS + 1u] = floatBitsToUint(color);
 #endif
 #if MANAGER == PPLL
-        next[at] = anchor;
-        anchor = at + 1u;
+        // The anchor would say the same as the counter, one more than the newest node.
+        next[at] = at;
 #endif
     }
 }

@@ -34,11 +34,18 @@ uint list_next(uint at) {
     return at + 1u;
 }
 #else
-layout(binding = 2) uniform usampler2D anchor;
 layout(binding = 4) uniform usamplerBuffer next;
+#if OFFSETS
+// The counter says one more than the newest node, which is what an anchor says.
+uint list_first() {
+    return texelFetch(counter, ivec2(gl_FragCoord.xy), 0).r - 1u;
+}
+#else
+layout(binding = 2) uniform usampler2D anchor;
 uint list_first() {
     return texelFetch(anchor, ivec2(gl_FragCoord.xy), 0).r - 1u;
 }
+#endif
 uint list_next(uint at) {
     return texelFetch(next, int(at)).r - 1u;
 }

@@ -300,7 +300,7 @@ const AFTER_RESOLVE: Listing = Listing {
 pub const COMPLEXITY: Map = Map::named("complexity");
 /// One counter a pixel that the Fill Step counts up, from 0 or from the pixel's base offset.
 pub const COUNTER: Map = Map::named("fragment counter");
-/// PPLL: where each pixel's list begins, 0 for nowhere.
+/// PPLL that is filled by atomics: one more than the node where each pixel's list begins, 0 for nowhere.
 pub const ANCHOR: Map = Map::named("list anchor");
 /// What each pixel's resolve has cost: records read, fragments composited, subpasses, and of the Local Array the elements
 /// reserved (upper half) and used.
@@ -309,7 +309,7 @@ pub const COST: Map = Map::named("resolve cost");
 pub const RAY_ENDS: Map = Map::named("ray ends");
 /// The global memory pool: fragment records.
 pub const RECORDS: Storage = Storage("fragment records");
-/// PPLL: the record after each record, 0 for none.
+/// PPLL: one more than the record after each record. A list ends by its length.
 pub const NEXT: Storage = Storage("list links");
 /// DFB, and PPLL that is filled in order: each pixel's base offset into the pool.
 pub const OFFSETS: Storage = Storage("base offsets");

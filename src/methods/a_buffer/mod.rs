@@ -163,13 +163,13 @@ impl Algorithm for ABuffer {
         machine.allocate(paper::ANCHOR, Format::R32Ui)?;
         machine.allocate(paper::COST, Format::Rgba32Ui)?;
         let depth = vtk::OPAQUE_DEPTH;
-        let lists: &[_] = match self.options.manager {
-            Manager::Ffb | Manager::Dfb => &[paper::COUNTER],
-            Manager::Ppll => &[paper::COUNTER, paper::ANCHOR],
-        };
-        machine.target_of(paper::CLEARED, lists, Some(depth))?;
         // What is attached costs time, written or not.
-        let inouts = if self.ordered(machine) { lists } else { &[] };
+        let [cleared, inouts]: [&[_]; 2] = match (self.ordered(machine), self.options.manager) {
+            (true, _) => [&[paper::COUNTER], &[paper::COUNTER]],
+            (false, Manager::Ffb | Manager::Dfb) => [&[paper::COUNTER], &[]],
+            (false, Manager::Ppll) => [&[paper::COUNTER, paper::ANCHOR], &[]],
+        };
+        machine.target_of(paper::CLEARED, cleared, Some(depth))?;
         machine.target_of(paper::FILL, inouts, Some(depth))?;
         self.count_costs(machine, true)?;
         Ok(())
