@@ -20,7 +20,7 @@ const MEAN_GAIN: [f64; 2] = [3.0, 8.0];
 fn main() -> Result<()> {
     let context = Context::headless()?;
     println!("{}", context.driver().renderer);
-    let mut renderer = Renderer::new(&context, SIZE[0], SIZE[1])?;
+    let mut renderer = Renderer::new(&context, SIZE[0], SIZE[1])?.without_costs();
 
     let quads = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/scenes/sheets64.toml");
     table(

@@ -223,7 +223,24 @@ fn many_frames_of_all_methods_in_turn_give_the_images_of_fresh_renderers() {
     }
 }
 
-/// A measured frame leaves out what a method counts for its statistics only, and counts it in another frame.
+#[test]
+fn without_costs_the_image_is_the_same_and_nothing_is_said_of_them() {
+    let context = Context::headless().unwrap();
+    let scene = scene();
+    let [width, height] = scene.size;
+    let mut renderer = Renderer::new(&context, width, height)
+        .unwrap()
+        .without_costs();
+    for method in all_methods() {
+        let counted = frame(&context, &method);
+        let uncounted = renderer.render(&scene, &method).unwrap();
+        assert!(uncounted.image == counted.image, "{method}");
+        assert_eq!(uncounted.stats.a_buffer, None);
+        let lost = counted.stats.a_buffer.map_or(counted.stats.lost, |_| None);
+        assert_eq!(uncounted.stats.lost, lost, "{method}");
+    }
+}
+
 #[test]
 fn a_measured_frame_is_the_rendered_one_but_for_its_time() {
     let context = Context::headless().unwrap();

@@ -59,12 +59,6 @@ trait Algorithm {
     /// Draws one frame. The machine is in GL's initial state, but for the clear colour, which is the background's.
     fn draw(&mut self, machine: &mut GlMachine<'_>, scene: &Scene) -> Result<Drawn>;
 
-    /// Has the next frames write down what [`account`](Algorithm::account) reads from them, or not. Returns whether that makes
-    /// a difference; a method for which it does writes it down until told otherwise.
-    fn count_costs(&mut self, _: &mut GlMachine<'_>, _counts: bool) -> Result<bool> {
-        Ok(false)
-    }
-
     /// Counts what the last frame did or left out, where that takes draws or time that are no part of the method.
     fn account(&mut self, _: &mut GlMachine<'_>, _: &mut Drawn) -> Result<()> {
         Ok(())

@@ -38,6 +38,7 @@ pub struct Renderer<'c> {
     color: Format,
     depth: Format,
     slices: Option<u32>,
+    counts_costs: bool,
 }
 
 /// An image and what there is to say about it.
@@ -109,6 +110,7 @@ impl<'c> Renderer<'c> {
             color: Format::Rgba32F,
             depth: Format::Depth32FStencil8,
             slices: None,
+            counts_costs: true,
         })
     }
 
@@ -132,6 +134,15 @@ impl<'c> Renderer<'c> {
         Ok(self)
     }
 
+    /// Leaves out of frames what they write down for their statistics only: what the lists of an A-buffer cost, and how many
+    /// fragments they lost. It is what a time should not contain that is compared to another method's; and another
+    /// program for the driver to compile.
+    #[must_use]
+    pub fn without_costs(mut self) -> Self {
+        self.counts_costs = false;
+        self
+    }
+
     /// Renders one frame.
     ///
     /// # Errors
@@ -147,7 +158,7 @@ impl<'c> Renderer<'c> {
     }
 
     /// Renders a frame to warm up and then `frames` more, or as many as begin within two seconds, but at least one; the
-    /// time is their median. What a method counts for its statistics only, it counts in one frame more.
+    /// time is their median.
     ///
     /// # Errors
     /// As [`Renderer::render`].
@@ -155,7 +166,6 @@ impl<'c> Renderer<'c> {
         let shown = self.set_up_for(scene, method)?;
         let scene = &*shown.scene;
         let mut algorithm = self.prepare(scene, method)?;
-        let counts_apart = algorithm.count_costs(&mut self.machine, false)?;
         self.draw(scene, algorithm.as_mut())?;
         let start = Instant::now();
         let (mut drawn, ms) = self.draw(scene, algorithm.as_mut())?;
@@ -164,10 +174,6 @@ impl<'c> Renderer<'c> {
             let (again, ms) = self.draw(scene, algorithm.as_mut())?;
             drawn = again;
             times.push(ms);
-        }
-        if counts_apart {
-            algorithm.count_costs(&mut self.machine, true)?;
-            (drawn, _) = self.draw(scene, algorithm.as_mut())?;
         }
         self.machine
             .aside(|machine| algorithm.account(machine, &mut drawn))?;
@@ -223,7 +229,7 @@ impl<'c> Renderer<'c> {
             Method::DepthPeeling(options) => {
                 Box::new(DepthPeeling::new(*options, self.color, self.depth))
             }
-            Method::ABuffer(options) => Box::new(ABuffer::new(*options)),
+            Method::ABuffer(options) => Box::new(ABuffer::new(*options, self.counts_costs)),
             Method::LayerPeeling(options) => Box::new(LayerPeeling {
                 options: Peeled::new(options.as_printed),
                 color: self.color,

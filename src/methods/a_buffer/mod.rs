@@ -72,11 +72,11 @@ pub(super) struct ABuffer {
 }
 
 impl ABuffer {
-    pub(super) fn new(options: ABufferOptions) -> Self {
+    pub(super) fn new(options: ABufferOptions, counts_costs: bool) -> Self {
         Self {
             options,
             counts: ABufferCounts::default(),
-            counts_costs: true,
+            counts_costs,
             volumes: [("VOLUMES", 0), ("POINTS", 0)],
             complexity: Vec::new(),
             layers: 0,
@@ -171,18 +171,11 @@ impl Algorithm for ABuffer {
         };
         machine.target_of(paper::CLEARED, cleared, Some(depth))?;
         machine.target_of(paper::FILL, inouts, Some(depth))?;
-        self.count_costs(machine, true)?;
-        Ok(())
-    }
-
-    fn count_costs(&mut self, machine: &mut GlMachine<'_>, counts: bool) -> Result<bool> {
-        self.counts_costs = counts;
-        let colors: &[_] = match counts {
+        let resolved: &[_] = match self.counts_costs {
             true => &[IMAGE, paper::COST],
             false => &[IMAGE],
         };
-        machine.target_of(paper::RESOLVED, colors, Some(vtk::OPAQUE_DEPTH))?;
-        Ok(true)
+        machine.target_of(paper::RESOLVED, resolved, Some(depth))
     }
 
     fn draw(&mut self, machine: &mut GlMachine<'_>, scene: &Scene) -> Result<Drawn> {
@@ -220,6 +213,10 @@ impl Algorithm for ABuffer {
     }
 
     fn account(&mut self, machine: &mut GlMachine<'_>, drawn: &mut Drawn) -> Result<()> {
+        if !self.counts_costs {
+            drawn.composited = Composited::Unknown;
+            return Ok(());
+        }
         let mut composited = 0;
         let counts = &mut self.counts;
         let costs = machine.read_integers(paper::COST)?;
