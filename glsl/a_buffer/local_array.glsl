@@ -59,8 +59,8 @@ void put(int k, double key_f, uint place_f) {
 }
 #endif
 
-void clear_local_array() {
-    for (int k = 0; k < N; ++k) {
+void clear_local_array(int count) {
+    for (int k = 0; k < count; ++k) {
         put(k, BEHIND_ALL, 0u);
     }
 }

@@ -48,7 +48,7 @@ uint take(uint at, bool there) {
 
 void resolve_by_peeling(uint count) {
     do {
-        clear_local_array();
+        clear_local_array(N);
         subpasses += 1u;
         records_read += count;
         left = 0u;

@@ -6,7 +6,7 @@ void sort_local_array(uint count) {
         insert_before(k, key[k], place_of(k));
     }
 #else
-    // A network compares all N elements, whatever they hold.
+    // A network compares all elements that any pixel fills, whatever they hold.
 #define X(i, j) COMPARE(key[i], place[i], key[j], place[j])
 #include "a_buffer/network"
 #endif
@@ -15,7 +15,7 @@ void sort_local_array(uint count) {
 // Resolves the first `count` fragments of the list, of which there are at least so many.
 void resolve_statically(uint count) {
 #if !INSERTION
-    clear_local_array();
+    clear_local_array(min(N, DEEPEST));
 #endif
     subpasses += 1u;
     records_read += count;

@@ -26,7 +26,7 @@ pub(super) struct ABufferArguments {
     /// How lists are filled [default: ordered where the driver has it]
     #[arg(long, value_enum, help_heading = A_BUFFERS)]
     fill: Option<FillArgument>,
-    /// How local arrays are sorted; the result is the same [default: by insertion up to 16 layers, otherwise a network]
+    /// How local arrays are sorted; the result is the same [default: what is quicker for the scene]
     #[arg(long, value_enum, help_heading = A_BUFFERS)]
     array_sort: Option<SortArgument>,
     /// How fragment records keep colours [default: half]

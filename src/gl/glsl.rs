@@ -11,7 +11,8 @@ use self::files::FILES;
 use super::network;
 use crate::error::{Error, Result};
 
-/// Not a file: the comparators that sort as many elements as the constant N says, if they are not too many.
+/// Not a file: the comparators that sort as many elements as the constant N says, or DEEPEST if that is less, if they are not
+/// too many.
 const NETWORK: &str = "a_buffer/network";
 /// Likewise: as many elements, one after the other.
 const ELEMENTS: &str = "a_buffer/elements";
@@ -33,15 +34,17 @@ pub(super) struct Source {
 
 impl Source {
     /// A file of `glsl/` by its name, with constants as `#define`s after its first line, which is its `#version`. The
-    /// constant N makes the include `a_buffer/network`: the network that sorts N elements.
+    /// constants N and DEEPEST make the include `a_buffer/network`: the network that sorts the lesser of both.
     pub(super) fn load_with(name: &str, constants: &[(&'static str, u32)]) -> Result<Self> {
         let constant = |wanted| constants.iter().find(|(name, _)| *name == wanted);
         let size = constant("N");
         let volumes = constant("VOLUMES").map_or_else(String::new, |&(_, n)| network::volumes(n));
         let halvings = constant("POINTS").map_or_else(String::new, |&(_, n)| network::halvings(n));
-        let network = match size {
-            Some(&(_, n)) if n.is_power_of_two() && n <= LARGEST_NETWORK => {
-                network::glsl(n as usize)
+        let network = match (size, constant("DEEPEST")) {
+            (Some(&(_, n)), Some(&(_, deepest)))
+                if n.is_power_of_two() && n.min(deepest) <= LARGEST_NETWORK =>
+            {
+                network::glsl(n.min(deepest) as usize)
             }
             _ => String::new(),
         };

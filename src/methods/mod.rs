@@ -28,8 +28,8 @@ mod stats;
 mod volume_controls;
 
 pub use a_buffer::{
-    ABufferCounts, ABufferOptions, Band, FEW, Fill, LARGEST_NETWORK, Manager, RecordColor, Room,
-    Sort, bands,
+    ABufferCounts, ABufferOptions, Band, Fill, LARGEST_NETWORK, Manager, RecordColor, Room, Sort,
+    bands,
 };
 pub use coherent_layer_peeling::{CoherentOptions, Variant};
 pub use complexity::{Bin, Complexity, CountBy};

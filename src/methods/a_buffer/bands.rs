@@ -2,7 +2,7 @@
 //!
 //! "Nothing lost" begins here: list memory is sized from an exact count of every pixel's fragments.
 
-use super::deepest;
+use super::array_sort::deepest;
 use super::options::{ABufferOptions, Fill, Manager};
 use crate::error::{Error, Result};
 use crate::gl::GlMachine;

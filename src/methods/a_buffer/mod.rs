@@ -16,14 +16,16 @@
 //!
 //! Excludes: multisampling.
 
+mod array_sort;
 mod bands;
 mod lists;
 mod loops;
 mod options;
 
 pub use bands::{Band, Room, bands};
-pub use options::{ABufferOptions, FEW, Fill, LARGEST_NETWORK, Manager, RecordColor, Sort};
+pub use options::{ABufferOptions, Fill, LARGEST_NETWORK, Manager, RecordColor, Sort};
 
+use array_sort::{deepest, inserts};
 use options::SMALLEST_SEGMENT;
 
 use super::renderer::IMAGE;
@@ -69,6 +71,8 @@ pub(super) struct ABuffer {
     complexity: Vec<u32>,
     /// The deepest pixel's.
     layers: u32,
+    /// Whether Local Arrays are sorted by insertion.
+    inserts: bool,
 }
 
 impl ABuffer {
@@ -80,6 +84,7 @@ impl ABuffer {
             volumes: [("VOLUMES", 0), ("POINTS", 0)],
             complexity: Vec::new(),
             layers: 0,
+            inserts: true,
         }
     }
 
@@ -114,6 +119,11 @@ impl ABuffer {
     fn constants(&self, machine: &GlMachine<'_>, insertion: bool) -> Vec<(&'static str, u32)> {
         let options = &self.options;
         let yes = u32::from;
+        // Elements beyond it are empty, and a network need not compare them.
+        let deepest = match insertion {
+            true => options.array,
+            false => self.layers.next_power_of_two(),
+        };
         let mut constants = self.volumes.to_vec();
         constants.extend([
             ("FFB", Manager::Ffb as u32),
@@ -132,6 +142,7 @@ impl ABuffer {
             ("LAST_SEGMENT", options.array),
             ("SORT_BY_INSERTION", yes(insertion)),
             ("LARGEST_NETWORK", LARGEST_NETWORK),
+            ("DEEPEST", deepest),
         ]);
         constants
     }
@@ -182,6 +193,7 @@ impl Algorithm for ABuffer {
         run(&vtk::OPAQUE_FIRST, &[], Variables::new(), machine)?;
         let proxies = fused(scene);
         self.complexity = self.count(machine, proxies)?;
+        self.inserts = inserts(&self.options, &self.complexity);
         let width = machine.size()[0];
         let room = self.room(machine, scene);
         let bands = bands(&self.complexity, width, &self.options, room)?;
@@ -260,12 +272,6 @@ pub(super) fn expect_stencil(machine: &GlMachine<'_>) -> Result<()> {
 /// The most that the stencil buffer counts without being full.
 const STENCIL_COUNTS: u32 = 254;
 
-/// The largest of some complexities.
-fn deepest(counts: &[u32]) -> u32 {
-    // Unlike `max` of an iterator, this is compared many at a time.
-    counts.iter().copied().fold(0, u32::max)
-}
-
 /// How a listing that draws transparent objects is amended for this scene.
 pub(super) const fn fused(scene: &Scene) -> &'static [Amendment] {
     if scene.volumes.is_empty() {
@@ -304,13 +310,8 @@ impl ABuffer {
     ) -> Result<()> {
         let options = &self.options;
         let renderer = &machine.context().driver().renderer;
-        let insertion = match options.sort {
-            Sort::Automatic => self.layers <= FEW,
-            Sort::Network => false,
-            Sort::Insertion => true,
-        };
         let insertion =
-            insertion && (!options.pp_dp || loops::insertion_fits(renderer, band.layers));
+            self.inserts && (!options.pp_dp || loops::insertion_fits(renderer, band.layers));
         machine.set_constants(&self.constants(machine, insertion));
         let mut fill = Vec::new();
         if options.has_offsets() {
@@ -356,14 +357,45 @@ impl ABuffer {
         } else {
             &[paper::BY_COUNTER, paper::NO_STENCIL]
         };
-        let segments = options.segments().count() as f64;
+        let segments = self.segments_for(layers);
         run(
             &paper::PP_AO,
             amendments,
-            variables.with("num_segments", segments),
+            variables.with("num_segments", segments as f64),
             machine,
         )?;
         self.counts.resolved += machine.samples(paper::COVERED)?;
         Ok(())
+    }
+
+    /// How many of ppAO's segments have a pixel, if the deepest one has `layers` fragments. As printed, segments are not
+    /// told apart, and all are drawn.
+    fn segments_for(&self, layers: u32) -> usize {
+        let all = self.options.segments().count();
+        let takes_the_deepest = self.options.segments().position(|size| layers <= size);
+        match takes_the_deepest {
+            Some(last) if !self.options.as_printed => last + 1,
+            _ => all,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn segments_that_no_pixel_needs_are_left_out_but_not_as_printed() {
+        let segments = |as_printed, layers| {
+            let options = ABufferOptions {
+                pp_ao: true,
+                as_printed,
+                ..ABufferOptions::DEFAULT
+            };
+            ABuffer::new(options, true).segments_for(layers)
+        };
+        let amended = [0, 8, 9, 16, 33, 64, 65, 1000].map(|layers| segments(false, layers));
+        assert_eq!(amended, [1, 1, 2, 2, 4, 4, 4, 4]);
+        assert_eq!(segments(true, 8), 4);
     }
 }
