@@ -191,8 +191,7 @@ fn looking_for_traps_leaves_the_image_alone() {
 fn many_frames_of_all_methods_in_turn_take_no_more_memory() {
     let context = Context::headless().unwrap();
     let scene = scene();
-    let [width, height] = scene.size;
-    let mut renderer = Renderer::new(&context, width, height).unwrap();
+    let mut renderer = renderer(&context);
     let methods = all_methods();
     let mut round = || -> Vec<u64> {
         let bytes = |method| renderer.render(&scene, method).unwrap().stats.bytes;
@@ -215,8 +214,7 @@ fn many_frames_of_all_methods_in_turn_take_no_more_memory() {
 fn many_frames_of_all_methods_in_turn_give_the_images_of_fresh_renderers() {
     let context = Context::headless().unwrap();
     let scene = scene();
-    let [width, height] = scene.size;
-    let mut renderer = Renderer::new(&context, width, height).unwrap();
+    let mut renderer = renderer(&context);
     for method in all_methods().iter().chain(all_methods().iter().rev()) {
         let image = renderer.render(&scene, method).unwrap().image;
         assert!(image == frame(&context, method).image, "{method}");
@@ -227,10 +225,7 @@ fn many_frames_of_all_methods_in_turn_give_the_images_of_fresh_renderers() {
 fn without_costs_the_image_is_the_same_and_nothing_is_said_of_them() {
     let context = Context::headless().unwrap();
     let scene = scene();
-    let [width, height] = scene.size;
-    let mut renderer = Renderer::new(&context, width, height)
-        .unwrap()
-        .without_costs();
+    let mut renderer = renderer(&context).without_costs();
     for method in all_methods() {
         let counted = frame(&context, &method);
         let uncounted = renderer.render(&scene, &method).unwrap();
@@ -245,8 +240,7 @@ fn without_costs_the_image_is_the_same_and_nothing_is_said_of_them() {
 fn a_measured_frame_is_the_rendered_one_but_for_its_time() {
     let context = Context::headless().unwrap();
     let scene = scene();
-    let [width, height] = scene.size;
-    let mut renderer = Renderer::new(&context, width, height).unwrap();
+    let mut renderer = renderer(&context);
     for method in all_methods() {
         let mut measured = renderer.measure(&scene, &method, 2).unwrap();
         let rendered = renderer.render(&scene, &method).unwrap();
@@ -262,15 +256,11 @@ fn a_smaller_scene_after_a_larger_one_leaves_nothing_of_it() {
     let large = scene();
     let mut small = large.clone();
     small.meshes = vec![quads(&Quads::default()).unwrap()];
-    let [width, height] = large.size;
-    let mut renderer = Renderer::new(&context, width, height).unwrap();
+    let mut used = renderer(&context);
     for method in all_methods() {
-        renderer.render(&large, &method).unwrap();
-        let after = renderer.render(&small, &method).unwrap();
-        let fresh = Renderer::new(&context, width, height)
-            .unwrap()
-            .render(&small, &method)
-            .unwrap();
+        used.render(&large, &method).unwrap();
+        let after = used.render(&small, &method).unwrap();
+        let fresh = renderer(&context).render(&small, &method).unwrap();
         assert!(after.image == fresh.image, "{method}");
         assert_eq!(after.stats.bytes, fresh.stats.bytes, "{method}");
     }
@@ -340,11 +330,12 @@ fn scene() -> Scene {
     scene
 }
 
+/// For images of the scene's size.
+fn renderer(context: &Context) -> Renderer<'_> {
+    let [width, height] = scene().size;
+    Renderer::new(context, width, height).unwrap()
+}
+
 fn frame(context: &Context, method: &Method) -> onionskin::Frame {
-    let scene = scene();
-    let [width, height] = scene.size;
-    Renderer::new(context, width, height)
-        .unwrap()
-        .render(&scene, method)
-        .unwrap()
+    renderer(context).render(&scene(), method).unwrap()
 }

@@ -5,31 +5,16 @@ mod scene_kit;
 use glam::{DVec3, Vec3};
 use onionskin::fragment::Rgba;
 use onionskin::scene::Mesh;
+use scene_kit::model::{CORNERS, colors, with_materials};
 use scene_kit::{Folder, obj, obj_mesh, toml};
-
-/// A square in the xy plane.
-const SQUARE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
 fn positions(mesh: &Mesh, triangle: usize) -> [Vec3; 3] {
     mesh.corners(triangle).map(|corner| corner.position)
 }
 
-fn colors(mesh: &Mesh) -> Vec<Rgba> {
-    mesh.vertices.iter().map(|v| v.color).collect()
-}
-
-/// The model `m.obj` of this content next to `m.mtl` of that content.
-fn with_materials(model: &str, materials: &str) -> onionskin::scene::Scene {
-    Folder::new()
-        .with("m.obj", model)
-        .with("m.mtl", materials)
-        .load("m.obj")
-        .unwrap_or_else(|error| panic!("{error}"))
-}
-
 #[test]
 fn a_triangle_keeps_its_corners_in_their_order() {
-    let mesh = obj_mesh(format!("{SQUARE}f 2 3 1\n"));
+    let mesh = obj_mesh(format!("{CORNERS}f 2 3 1\n"));
     assert_eq!(
         positions(&mesh, 0),
         [Vec3::X, Vec3::new(1.0, 1.0, 0.0), Vec3::ZERO]
@@ -38,14 +23,14 @@ fn a_triangle_keeps_its_corners_in_their_order() {
 
 #[test]
 fn faces_keep_the_order_of_the_file() {
-    let mesh = obj_mesh(format!("{SQUARE}f 2 3 4\nf 1 2 3\nf 4 1 2\n"));
+    let mesh = obj_mesh(format!("{CORNERS}f 2 3 4\nf 1 2 3\nf 4 1 2\n"));
     let firsts: Vec<Vec3> = (0..3).map(|i| positions(&mesh, i)[0]).collect();
     assert_eq!(firsts, [Vec3::X, Vec3::ZERO, Vec3::Y]);
 }
 
 #[test]
 fn negative_indices_count_back_from_the_latest_vertex() {
-    let mesh = obj_mesh(format!("{SQUARE}f -4 -3 -2\nv 5 5 5\nf -2 1 -1\n"));
+    let mesh = obj_mesh(format!("{CORNERS}f -4 -3 -2\nv 5 5 5\nf -2 1 -1\n"));
     assert_eq!(
         positions(&mesh, 0),
         [Vec3::ZERO, Vec3::X, Vec3::new(1.0, 1.0, 0.0)]
@@ -55,7 +40,10 @@ fn negative_indices_count_back_from_the_latest_vertex() {
 
 #[test]
 fn a_quad_is_two_triangles() {
-    assert_eq!(obj_mesh(format!("{SQUARE}f 1 2 3 4\n")).triangle_count(), 2);
+    assert_eq!(
+        obj_mesh(format!("{CORNERS}f 1 2 3 4\n")).triangle_count(),
+        2
+    );
 }
 
 #[test]
@@ -78,7 +66,7 @@ fn a_polygon_is_a_fan_with_the_polygons_area() {
 
 #[test]
 fn normals_of_the_file_are_kept_at_unit_length() {
-    let mesh = obj_mesh(format!("{SQUARE}vn 0 3 4\nf 1//1 2//1 3//1\n"));
+    let mesh = obj_mesh(format!("{CORNERS}vn 0 3 4\nf 1//1 2//1 3//1\n"));
     assert!(
         mesh.vertices
             .iter()
@@ -88,7 +76,7 @@ fn normals_of_the_file_are_kept_at_unit_length() {
 
 #[test]
 fn missing_normals_are_those_of_the_faces() {
-    let mesh = obj_mesh(format!("{SQUARE}f 1 2 3 4\n"));
+    let mesh = obj_mesh(format!("{CORNERS}f 1 2 3 4\n"));
     assert!(mesh.vertices.iter().all(|v| v.normal == Vec3::Z));
 }
 
@@ -104,7 +92,7 @@ fn smooth_normals_weigh_faces_by_their_area() {
 
 #[test]
 fn normals_that_only_some_corners_have_are_completed() {
-    let mesh = obj_mesh(format!("{SQUARE}vn 1 0 0\nf 1//1 2//1 3//1\nf 1 3 4\n"));
+    let mesh = obj_mesh(format!("{CORNERS}vn 1 0 0\nf 1//1 2//1 3//1\nf 1 3 4\n"));
     let normals = |triangle: usize| mesh.corners(triangle).map(|corner| corner.normal);
     assert_eq!(normals(0), [Vec3::X; 3]);
     assert_eq!(normals(1), [Vec3::Z; 3]);
@@ -112,14 +100,14 @@ fn normals_that_only_some_corners_have_are_completed() {
 
 #[test]
 fn a_normal_of_length_zero_is_replaced() {
-    let mesh = obj_mesh(format!("{SQUARE}vn 0 0 0\nf 1//1 2//1 3//1\n"));
+    let mesh = obj_mesh(format!("{CORNERS}vn 0 0 0\nf 1//1 2//1 3//1\n"));
     assert!(mesh.vertices.iter().all(|v| v.normal == Vec3::Z));
 }
 
 #[test]
 fn texture_coordinates_do_not_split_vertices() {
     let mesh = obj_mesh(format!(
-        "{SQUARE}vt 0 0\nvt 1 1\nf 1/1 2/1 3/1\nf 1/2 3/2 4/2\n"
+        "{CORNERS}vt 0 0\nvt 1 1\nf 1/1 2/1 3/1\nf 1/2 3/2 4/2\n"
     ));
     assert_eq!(mesh.vertices.len(), 4);
 }
@@ -127,7 +115,7 @@ fn texture_coordinates_do_not_split_vertices() {
 #[test]
 fn vertices_with_texture_and_normal_indices_are_read() {
     let mesh = obj_mesh(format!(
-        "{SQUARE}vt 0 0\nvn 0 0 2\nf 1/1/1 2/1/1 3/1/1\nf -4/-1/-1 -2/-1/-1 -1/-1/-1\n"
+        "{CORNERS}vt 0 0\nvn 0 0 2\nf 1/1/1 2/1/1 3/1/1\nf -4/-1/-1 -2/-1/-1 -1/-1/-1\n"
     ));
     assert_eq!(mesh.triangle_count(), 2);
     assert!(mesh.vertices.iter().all(|v| v.normal == Vec3::Z));
@@ -157,7 +145,7 @@ fn vertices_without_a_colour_among_coloured_ones_take_the_models() {
 #[test]
 fn objects_groups_and_materials_each_start_a_mesh() {
     let model = format!(
-        "mtllib m.mtl\n{SQUARE}o pot\nusemtl red\nf 1 2 3\nusemtl blue\nf 1 3 4\nf 2 3 4\ng lid\nf 1 2 4\nusemtl red\nf 1 2 3\n"
+        "mtllib m.mtl\n{CORNERS}o pot\nusemtl red\nf 1 2 3\nusemtl blue\nf 1 3 4\nf 2 3 4\ng lid\nf 1 2 4\nusemtl red\nf 1 2 3\n"
     );
     let scene = with_materials(&model, "newmtl red\nKd 1 0 0\nnewmtl blue\nKd 0 0 1\n");
     let found: Vec<(&str, usize)> = scene
@@ -176,7 +164,7 @@ fn objects_groups_and_materials_each_start_a_mesh() {
 
 #[test]
 fn lines_and_points_are_skipped_and_counted() {
-    let scene = obj(format!("{SQUARE}l 1 2 3 4\nl 1 2\np 1\nf 1 2 3\n"));
+    let scene = obj(format!("{CORNERS}l 1 2 3 4\nl 1 2\np 1\nf 1 2 3\n"));
     assert_eq!(scene.triangle_count(), 1);
     assert!(
         scene.notices[0].contains("2 line elements skipped"),
@@ -192,7 +180,7 @@ fn lines_and_points_are_skipped_and_counted() {
 
 #[test]
 fn unknown_keywords_are_skipped_and_counted() {
-    let scene = obj(format!("{SQUARE}wibble 1 2\nwobble\nf 1 2 3\n"));
+    let scene = obj(format!("{CORNERS}wibble 1 2\nwobble\nf 1 2 3\n"));
     assert!(
         scene.notices[0].contains("model.obj:5: 2 lines with an unknown keyword"),
         "{:?}",
@@ -254,14 +242,14 @@ fn a_backslash_continues_a_line() {
 
 #[test]
 fn the_last_line_needs_no_end() {
-    assert_eq!(obj_mesh(format!("{SQUARE}f 1 2 3")).triangle_count(), 1);
+    assert_eq!(obj_mesh(format!("{CORNERS}f 1 2 3")).triangle_count(), 1);
 }
 
 #[test]
 fn several_models_in_a_scene_keep_their_order() {
     let folder = Folder::new()
-        .with("a.obj", format!("{SQUARE}o a\nf 1 2 3\n"))
-        .with("b.obj", format!("{SQUARE}o b\nf 1 2 3\n"))
+        .with("a.obj", format!("{CORNERS}o a\nf 1 2 3\n"))
+        .with("b.obj", format!("{CORNERS}o b\nf 1 2 3\n"))
         .with(
             "s.toml",
             "[[mesh]]\nfile = \"b.obj\"\n[[mesh]]\nfile = \"a.obj\"\n",

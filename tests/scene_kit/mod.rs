@@ -2,6 +2,7 @@
 #![allow(dead_code, unreachable_pub)]
 
 pub mod measure;
+pub mod model;
 pub mod square;
 
 use std::path::PathBuf;
