@@ -3,7 +3,7 @@
 use super::options::{ABufferOptions, Sort};
 use crate::gl::network::odd_even_merge;
 
-/// Whether insertion sorts Local Arrays; `counts` are the pixels' complexities.
+/// Whether insertion sorts Local Arrays; `counts` are the pixels' complexities, `layers` the largest of them.
 ///
 /// A network compares as many pairs for every pixel, whatever the pixel has; insertion compares about n²/4 pairs for n
 /// fragments, but finds each of them by an index that it has to look up. On llvmpipe, where these cost four times as
@@ -13,26 +13,20 @@ use crate::gl::network::odd_even_merge;
 ///
 /// ppDP alone inserts into a short array; written out, that was always quicker: by 6 % on the mesh of the bench, by 31 %
 /// on 16 quads.
-pub(super) fn inserts(options: &ABufferOptions, counts: &[u32]) -> bool {
+pub(super) fn inserts(options: &ABufferOptions, counts: &[u32], layers: u32) -> bool {
     match options.sort {
         Sort::Insertion => true,
         Sort::Network => false,
         Sort::Automatic => {
             let written_out = options.pp_dp && !options.pp_ao;
-            !written_out && mean_square(counts) <= pairs(options, counts) as f64
+            !written_out && mean_square(counts) <= pairs(options, layers) as f64
         }
     }
 }
 
-/// The largest of some complexities.
-pub(super) fn deepest(counts: &[u32]) -> u32 {
-    // Unlike `max` of an iterator, this is compared many at a time.
-    counts.iter().copied().fold(0, u32::max)
-}
-
 /// How many pairs a network compares that sorts as much of the array as is ever filled.
-fn pairs(options: &ABufferOptions, counts: &[u32]) -> usize {
-    let filled = deepest(counts).next_power_of_two().min(options.array);
+fn pairs(options: &ABufferOptions, layers: u32) -> usize {
+    let filled = layers.next_power_of_two().min(options.array);
     odd_even_merge(filled as usize).len()
 }
 
@@ -49,6 +43,11 @@ fn mean_square(counts: &[u32]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    fn inserts(options: &ABufferOptions, counts: &[u32]) -> bool {
+        let layers = counts.iter().copied().max().unwrap_or(0);
+        super::inserts(options, counts, layers)
+    }
 
     fn automatic(pp_ao: bool, pp_dp: bool) -> ABufferOptions {
         ABufferOptions {

@@ -2,7 +2,6 @@
 //!
 //! "Nothing lost" begins here: list memory is sized from an exact count of every pixel's fragments.
 
-use super::array_sort::deepest;
 use super::options::{ABufferOptions, Fill, Manager};
 use crate::error::{Error, Result};
 use crate::gl::GlMachine;
@@ -117,6 +116,12 @@ pub fn bands(
         }
     }
     Ok(bands)
+}
+
+/// The largest of some complexities.
+pub(super) fn deepest(counts: &[u32]) -> u32 {
+    // Unlike `max` of an iterator, this is compared many at a time.
+    counts.iter().copied().fold(0, u32::max)
 }
 
 fn too_large(row: &Band, width: u32, options: &ABufferOptions, room: Room) -> Error {

@@ -1,7 +1,7 @@
 //! The lists' buffers: made once, and used by one band after the other; the base offsets are the whole image's.
 
 use super::bands::Band;
-use super::options::{Fill, Manager, RecordColor};
+use super::options::{Fill, Manager};
 use super::{ABuffer, paper};
 use crate::error::Result;
 use crate::gl::{GlMachine, Texels};
@@ -12,11 +12,7 @@ const UNUSED: [Storage; 3] = [paper::NEXT, paper::OFFSETS, paper::POOL];
 
 impl ABuffer {
     /// Makes the buffers as large as any of the bands needs them, and scans for the base offsets.
-    pub(super) fn allocate_lists(
-        &mut self,
-        machine: &mut GlMachine<'_>,
-        bands: &[Band],
-    ) -> Result<()> {
+    pub(super) fn allocate_lists(&self, machine: &mut GlMachine<'_>, bands: &[Band]) -> Result<()> {
         let width = machine.size()[0];
         let options = &self.options;
         let records = bands
@@ -24,15 +20,11 @@ impl ABuffer {
             .map(|band| band.records(options.manager, width))
             .max()
             .unwrap_or(0);
-        self.counts.list_bytes = records * options.record_bytes();
-        let bytes = match options.color {
-            RecordColor::Half => 16,
-            RecordColor::Float => 32,
-        };
+        let bytes = records * options.color.record_bytes();
         for storage in UNUSED {
             machine.allocate_storage(storage, 16, None)?;
         }
-        machine.allocate_storage(paper::RECORDS, records * bytes, Some(Texels::Rgba32Ui))?;
+        machine.allocate_storage(paper::RECORDS, bytes, Some(Texels::Rgba32Ui))?;
         machine.bind_texels(3, paper::RECORDS)?;
         if options.manager == Manager::Ppll {
             machine.allocate_storage(paper::NEXT, records * 4, Some(Texels::R32Ui))?;

@@ -25,7 +25,8 @@ mod options;
 pub use bands::{Band, Room, bands};
 pub use options::{ABufferOptions, Fill, LARGEST_NETWORK, Manager, RecordColor, Sort};
 
-use array_sort::{deepest, inserts};
+use array_sort::inserts;
+use bands::deepest;
 use options::SMALLEST_SEGMENT;
 
 use super::renderer::IMAGE;
@@ -97,11 +98,8 @@ impl ABuffer {
     }
 
     fn room(&self, machine: &GlMachine<'_>, scene: &Scene) -> Room {
-        let words = match self.options.color {
-            RecordColor::Half => 16,
-            RecordColor::Float => 32,
-        };
-        let largest = largest_storage(machine.context(), Texels::Rgba32Ui) / words;
+        let record = self.options.color.record_bytes();
+        let largest = largest_storage(machine.context(), Texels::Rgba32Ui) / record;
         let links = largest_storage(machine.context(), Texels::R32Ui) / 4;
         let renderer = &machine.context().driver().renderer;
         let triangles = scene.triangle_count() as u64;
@@ -172,7 +170,6 @@ impl Algorithm for ABuffer {
         machine.allocate(paper::COMPLEXITY, Format::R32F)?;
         machine.allocate(paper::COUNTER, Format::R32Ui)?;
         machine.allocate(paper::ANCHOR, Format::R32Ui)?;
-        machine.allocate(paper::COST, Format::Rgba32Ui)?;
         let depth = vtk::OPAQUE_DEPTH;
         // What is attached costs time, written or not.
         let [cleared, inouts]: [&[_]; 2] = match (self.ordered(machine), self.options.manager) {
@@ -182,18 +179,17 @@ impl Algorithm for ABuffer {
         };
         machine.target_of(paper::CLEARED, cleared, Some(depth))?;
         machine.target_of(paper::FILL, inouts, Some(depth))?;
-        let resolved: &[_] = match self.counts_costs {
-            true => &[IMAGE, paper::COST],
-            false => &[IMAGE],
-        };
-        machine.target_of(paper::RESOLVED, resolved, Some(depth))
+        if !self.counts_costs {
+            return machine.target_of(paper::RESOLVED, &[IMAGE], Some(depth));
+        }
+        machine.allocate(paper::COST, Format::Rgba32Ui)?;
+        machine.target_of(paper::RESOLVED, &[IMAGE, paper::COST], Some(depth))
     }
 
     fn draw(&mut self, machine: &mut GlMachine<'_>, scene: &Scene) -> Result<Drawn> {
         run(&vtk::OPAQUE_FIRST, &[], Variables::new(), machine)?;
         let proxies = fused(scene);
         self.complexity = self.count(machine, proxies)?;
-        self.inserts = inserts(&self.options, &self.complexity);
         let width = machine.size()[0];
         let room = self.room(machine, scene);
         let bands = bands(&self.complexity, width, &self.options, room)?;
@@ -205,12 +201,14 @@ impl Algorithm for ABuffer {
             run(&paper::CLEAR_COST, &[], Variables::new(), machine)?;
         }
         self.layers = bands.iter().map(|band| band.layers).max().unwrap_or(0);
+        self.inserts = inserts(&self.options, &self.complexity, self.layers);
+        let bytes = bands.iter().map(|band| band.bytes(&self.options, width));
         self.counts = ABufferCounts {
             bands: bands.len() as u32,
+            list_bytes: bytes.max().unwrap_or(0) + room.beside,
             ..ABufferCounts::default()
         };
         self.allocate_lists(machine, &bands)?;
-        self.counts.list_bytes += room.beside;
         let mut fragments_before = 0;
         for band in bands.iter().filter(|band| band.fragments > 0) {
             self.begin_band(machine, band, fragments_before)?;
@@ -282,8 +280,7 @@ pub(super) const fn fused(scene: &Scene) -> &'static [Amendment] {
 }
 
 impl ABuffer {
-    /// Every pixel's complexity, by the stencil buffer where that is enough: it is quicker, but what a prefix scan reads has
-    /// to be in a texture.
+    /// Every pixel's complexity, by the stencil buffer where that is enough: it is quicker, but a prefix scan reads colours.
     fn count(&self, machine: &mut GlMachine<'_>, proxies: &[Amendment]) -> Result<Vec<u32>> {
         let depth = Some(vtk::OPAQUE_DEPTH);
         if !self.options.has_offsets() && machine.format(vtk::OPAQUE_DEPTH)?.has_stencil() {

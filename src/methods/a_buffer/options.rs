@@ -55,6 +55,16 @@ pub enum RecordColor {
     Float,
 }
 
+impl RecordColor {
+    /// Bytes of a record with such a colour, its link left out.
+    pub(super) const fn record_bytes(self) -> u64 {
+        match self {
+            Self::Half => 16,
+            Self::Float => 32,
+        }
+    }
+}
+
 /// What can be chosen about an A-buffer.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ABufferOptions {
@@ -122,10 +132,7 @@ impl ABufferOptions {
 
     /// Bytes of a record with what links it to the next.
     pub fn record_bytes(&self) -> u64 {
-        let record = match self.color {
-            RecordColor::Half => 16,
-            RecordColor::Float => 32,
-        };
+        let record = self.color.record_bytes();
         match self.manager {
             Manager::Ppll => record + 4,
             Manager::Ffb | Manager::Dfb => record,
