@@ -92,9 +92,11 @@ pub fn bands(
     options: &ABufferOptions,
     room: Room,
 ) -> Result<Vec<Band>> {
+    // Where there is no fragment, nothing is allocated.
     let fits = |band: &Band| {
-        band.bytes(options, width).saturating_add(room.beside) <= room.bytes
-            && band.records(options.manager, width) <= room.records
+        band.fragments == 0
+            || band.bytes(options, width).saturating_add(room.beside) <= room.bytes
+                && band.records(options.manager, width) <= room.records
     };
     let is_quick = |band: &Band| band.bytes(options, width) <= room.quick;
     let mut bands: Vec<Band> = Vec::new();
@@ -214,7 +216,10 @@ mod tests {
                 let mut next = 0;
                 for band in &bands {
                     assert_eq!(band.first_row, next);
-                    assert!(band.bytes(&options, width) + room.beside <= room.bytes);
+                    assert!(
+                        band.fragments == 0
+                            || band.bytes(&options, width) + room.beside <= room.bytes
+                    );
                     next += band.rows;
                 }
                 assert_eq!(next, rows);
@@ -265,6 +270,22 @@ mod tests {
         let text = refused.to_string();
         for part in ["288 bytes", "9 in the deepest pixel", "100 bytes", "dfb"] {
             assert!(text.contains(part), "{part}: {text}");
+        }
+    }
+
+    #[test]
+    fn an_image_without_fragments_fits_everywhere() {
+        let nowhere = Room {
+            bytes: 1,
+            beside: 4080,
+            records: 0,
+            quick: 1,
+        };
+        for manager in [Manager::Ffb, Manager::Dfb, Manager::Ppll] {
+            assert_eq!(
+                bands(&[0; 6], 2, &options(manager), nowhere).unwrap().len(),
+                1
+            );
         }
     }
 

@@ -202,13 +202,15 @@ impl Algorithm for ABuffer {
         }
         self.layers = bands.iter().map(|band| band.layers).max().unwrap_or(0);
         self.inserts = inserts(&self.options, &self.complexity, self.layers);
-        let bytes = bands.iter().map(|band| band.bytes(&self.options, width));
         self.counts = ABufferCounts {
             bands: bands.len() as u32,
-            list_bytes: bytes.max().unwrap_or(0) + room.beside,
             ..ABufferCounts::default()
         };
-        self.allocate_lists(machine, &bands)?;
+        if self.layers > 0 {
+            let bytes = bands.iter().map(|band| band.bytes(&self.options, width));
+            self.counts.list_bytes = bytes.max().unwrap_or(0) + room.beside;
+            self.allocate_lists(machine, &bands)?;
+        }
         let mut fragments_before = 0;
         for band in bands.iter().filter(|band| band.fragments > 0) {
             self.begin_band(machine, band, fragments_before)?;
