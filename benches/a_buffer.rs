@@ -1,7 +1,7 @@
 //! What A-buffers cost, as ratios of medians from one run at 1024 x 768: against plain blending into 32-bit float,
 //! against depth peeling, and ppAO and ppDP against the static array, beside what the paper's GPUs gained (section 7).
 //!
-//! `cargo bench --bench a_buffer`
+//! `cargo bench --bench a_buffer [SCENE.toml ...]`; without scenes, figure 7's 64 quads, a generated mesh and the molecule.
 
 use onionskin::fragment::Rgba;
 use onionskin::methods::{ABufferOptions, Fill, Manager, Sort};
@@ -22,6 +22,18 @@ fn main() -> Result<()> {
     println!("{}", context.driver().renderer);
     let mut renderer = Renderer::new(&context, SIZE[0], SIZE[1])?.without_costs();
 
+    // `cargo bench` adds `--bench` to what the user gives.
+    let scenes: Vec<String> = std::env::args()
+        .skip(1)
+        .filter(|argument| !argument.starts_with("--"))
+        .collect();
+    for path in &scenes {
+        let scene = Scene::load_at(path, Some(SIZE))?;
+        table(&mut renderer, &scene.name, &scene, MEAN_GAIN)?;
+    }
+    if !scenes.is_empty() {
+        return Ok(());
+    }
     let quads = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/scenes/sheets64.toml");
     table(
         &mut renderer,
