@@ -41,9 +41,7 @@ impl Source {
         let volumes = constant("VOLUMES").map_or_else(String::new, |&(_, n)| network::volumes(n));
         let halvings = constant("POINTS").map_or_else(String::new, |&(_, n)| network::halvings(n));
         let network = match (size, constant("DEEPEST")) {
-            (Some(&(_, n)), Some(&(_, deepest)))
-                if n.is_power_of_two() && n.min(deepest) <= LARGEST_NETWORK =>
-            {
+            (Some(&(_, n)), Some(&(_, deepest))) if n.is_power_of_two() && n <= LARGEST_NETWORK => {
                 network::glsl(n.min(deepest) as usize)
             }
             _ => String::new(),
