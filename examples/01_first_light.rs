@@ -22,7 +22,7 @@ fn main() -> onionskin::Result<()> {
     );
 
     let corner = |x, y, [r, g, b]: [f32; 3]| Vertex {
-        position: Vec3::new(x, y, 0.0),
+        position: DVec3::new(x, y, 0.0),
         normal: Vec3::Z,
         color: Rgba::new(r, g, b, 0.5),
     };

@@ -88,8 +88,11 @@ fn where_missing(found: &Shown) -> Image {
 fn boxes() -> Scene {
     let colors = [[0.85, 0.2, 0.15], [0.15, 0.6, 0.25], [0.2, 0.35, 0.9]];
     let meshes = (0..3).zip(colors).map(|(n, [r, g, b])| {
-        let left = n as f32 - 1.5;
-        let (low, high) = (Vec3::new(left, -0.5, -0.5), Vec3::new(left + 1.0, 0.5, 0.5));
+        let left = f64::from(n) - 1.5;
+        let (low, high) = (
+            DVec3::new(left, -0.5, -0.5),
+            DVec3::new(left + 1.0, 0.5, 0.5),
+        );
         a_box(low, high, Rgba::new(r, g, b, 0.35))
     });
     Scene {
@@ -110,11 +113,11 @@ fn boxes() -> Scene {
     }
 }
 
-fn a_box(low: Vec3, high: Vec3, color: Rgba) -> Mesh {
+fn a_box(low: DVec3, high: DVec3, color: Rgba) -> Mesh {
     let corner = |n: u32| {
-        let at = |bit: u32, low: f32, high: f32| if n >> bit & 1 == 0 { low } else { high };
+        let at = |bit: u32, low: f64, high: f64| if n >> bit & 1 == 0 { low } else { high };
         Vertex {
-            position: Vec3::new(
+            position: DVec3::new(
                 at(0, low.x, high.x),
                 at(1, low.y, high.y),
                 at(2, low.z, high.z),

@@ -272,9 +272,7 @@ fn points(seed: u64, count: usize) -> Vec<DVec3> {
         ..Soup::default()
     };
     let mesh = soup(&triangles).unwrap();
-    (0..count)
-        .map(|n| mesh.corners(n)[0].position.as_dvec3())
-        .collect()
+    (0..count).map(|n| mesh.corners(n)[0].position).collect()
 }
 
 fn soup_scene(seed: u64, [near, far]: [f64; 2]) -> Scene {

@@ -81,7 +81,7 @@ fn a_flat_surface_has_the_light_of_its_triangle_s_own_normal() {
     // The rays' own normals, from the corners, not from what the mesh says.
     let mesh = &mut scene.meshes[0];
     for triangle in 0..mesh.triangle_count() {
-        let [a, b, c] = mesh.corners(triangle).map(|v| v.position.as_dvec3());
+        let [a, b, c] = mesh.corners(triangle).map(|v| v.position);
         let normal = (b - a).cross(c - a).normalize().as_vec3();
         for corner in mesh.triangles[triangle] {
             let said = mesh.vertices[corner as usize].normal;
@@ -327,4 +327,37 @@ fn teapot_scene(shading: Shading) -> Scene {
     let mut scene = Scene::of("teapot", vec![mesh]);
     scene.size = [160, 120];
     scene
+}
+
+/// A building's coordinates on a map: 500 km and 5000 km from the origin of its grid. In f32 they are half a metre apart.
+const ON_THE_MAP: glam::DVec3 = glam::DVec3::new(500_000.125, 5_000_000.25, 300.5);
+
+fn moved_to_the_map(scene: &Scene) -> Scene {
+    let mut scene = scene.clone();
+    for vertex in &mut scene.meshes[0].vertices {
+        vertex.position += ON_THE_MAP;
+    }
+    scene.camera.eye += ON_THE_MAP;
+    scene.camera.target += ON_THE_MAP;
+    scene
+}
+
+#[test]
+fn a_scene_at_map_coordinates_is_drawn_as_finely_as_at_the_origin() {
+    let context = Context::headless().unwrap();
+    let scene = moved_to_the_map(&soup_scene(2));
+    // 5e6 has 2^-30 in f64, a hundredth of what f32 holds of this scene's coordinates: the bounds stay what they were.
+    Agreement::of(&context, &scene).assert_all();
+}
+
+#[test]
+fn coordinates_rounded_to_32_bits_would_be_noticed() {
+    let context = Context::headless().unwrap();
+    let scene = moved_to_the_map(&soup_scene(2));
+    let mut rounded = scene.clone();
+    for vertex in &mut rounded.meshes[0].vertices {
+        vertex.position = vertex.position.as_vec3().as_dvec3();
+    }
+    let agreement = captured_and_cast(&context, &rounded, &scene);
+    assert!(agreement.wrong_counts > 100, "{agreement:?}");
 }

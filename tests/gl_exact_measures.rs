@@ -11,7 +11,7 @@ mod exact_scenes;
 mod lists;
 
 use exact_scenes::{F32, depth_bound, error, looking_down_z, render, soup_scene};
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 use lists::{Lists, captured, sorted, ties};
 use onionskin::fragment::Rgba;
 use onionskin::gl::Format;
@@ -153,7 +153,7 @@ fn crossed() -> Mesh {
         for (x, y) in [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)] {
             let [r, g, b] = color;
             vertices.push(Vertex {
-                position: Vec3::new(x, y, x * tilt),
+                position: DVec3::new(x, y, x * tilt),
                 normal: Vec3::Z,
                 color: Rgba::new(r, g, b, 0.5),
             });

@@ -78,7 +78,7 @@ fn e07_with_depth_replace_every_pixel_left_over_is_a_tie_or_beyond_the_far_plane
             let place = glam::DVec3::new(x, y, -1.0) * distance;
             let corner = mesh.vertices[0];
             mesh.vertices.push(onionskin::scene::Vertex {
-                position: place.as_vec3(),
+                position: place,
                 ..corner
             });
         }

@@ -70,7 +70,7 @@ fn l16_slices_of_fog_and_a_pane_follow_the_closed_form() {
                     let before = before.clamp(0.0, f64::from(count));
                     let mut moved = scene.clone();
                     if (-1.0..top).contains(&f64::from(pane)) {
-                        let height = (top - before * spacing) as f32;
+                        let height = top - before * spacing;
                         let corners = moved.meshes[0].vertices.iter_mut();
                         corners.for_each(|corner| corner.position.z = height);
                     }

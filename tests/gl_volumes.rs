@@ -57,7 +57,7 @@ fn l16_every_pane_cuts_the_fog_and_the_image_stays_the_same() {
     for count in [1, 5, 20] {
         let cuts = (0..count).map(|i| {
             let mut mesh: Mesh = invisible.clone();
-            let z = 1.1 - 2.2 * i as f32 / count as f32;
+            let z = 1.1 - 2.2 * f64::from(i) / f64::from(count);
             mesh.vertices
                 .iter_mut()
                 .for_each(|vertex| vertex.position.z = z);

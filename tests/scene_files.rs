@@ -108,10 +108,7 @@ fn potentials() -> ([Volume; 2], [(Mesh, f64); 2]) {
 
 /// How far the values at an isosurface's vertices are from the isosurface's own: the median and the most.
 fn off(volume: &Volume, mesh: &Mesh, value: f64, moved: DVec3) -> (f64, f64) {
-    let at = mesh
-        .vertices
-        .iter()
-        .map(|vertex| vertex.position.as_dvec3() + moved);
+    let at = mesh.vertices.iter().map(|vertex| vertex.position + moved);
     let mut off: Vec<f64> = at
         .filter_map(|point| Some((volume.at(point)? - value).abs()))
         .collect();

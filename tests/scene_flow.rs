@@ -27,7 +27,7 @@ fn open_edges(mesh: &Mesh) -> usize {
 
 /// The volume that a closed surface encloses, positive if its triangles are turned outwards.
 fn enclosed(mesh: &Mesh) -> f64 {
-    let corner = |n: u32| mesh.vertices[n as usize].position.as_dvec3();
+    let corner = |n: u32| mesh.vertices[n as usize].position;
     let part = |t: &[u32; 3]| corner(t[0]).dot(corner(t[1]).cross(corner(t[2]))) / 6.0;
     mesh.triangles.iter().map(part).sum()
 }
@@ -53,12 +53,12 @@ fn an_isosurface_of_a_ball_is_a_closed_sphere_turned_outwards() {
         })
         .unwrap();
         assert_eq!(open_edges(&mesh), 0);
-        let radius = f64::from(mesh.vertices[0].position.length());
+        let radius = mesh.vertices[0].position.length();
         let sphere = 4.0 / 3.0 * PI * radius.powi(3);
         for vertex in &mesh.vertices {
             // A cell is 3 / 23 wide; a chord's midpoint lies within its square over eight radii of the sphere.
-            assert!((f64::from(vertex.position.length()) - radius).abs() < 0.01);
-            assert!(vertex.normal.dot(vertex.position.normalize()) > 0.95);
+            assert!((vertex.position.length() - radius).abs() < 0.01);
+            assert!(vertex.normal.dot(vertex.position.normalize().as_vec3()) > 0.95);
         }
         (enclosed(&mesh) / sphere - 1.0).abs()
     });

@@ -11,7 +11,7 @@ use scene_kit::measure::{edges, euler, unusable, worst_agreement};
 use scene_kit::toml;
 
 /// The z of each quad in the order of submission.
-fn depths(mesh: &Mesh) -> Vec<f32> {
+fn depths(mesh: &Mesh) -> Vec<f64> {
     let firsts = mesh.triangles.chunks(2).map(|pair| pair[0][0]);
     firsts
         .map(|corner| mesh.vertices[corner as usize].position.z)
@@ -92,8 +92,8 @@ fn shuffled_quads_are_the_same_quads_and_the_seed_decides_their_order() {
     let (a, b) = (shuffled(1), shuffled(2));
     assert_eq!(a, shuffled(1));
     assert_ne!(a, b);
-    let sorted = |mut depths: Vec<f32>| {
-        depths.sort_by(f32::total_cmp);
+    let sorted = |mut depths: Vec<f64>| {
+        depths.sort_by(f64::total_cmp);
         depths
     };
     assert_eq!(sorted(a), sorted(b));
@@ -209,7 +209,7 @@ fn a_cones_area_is_that_of_its_side() {
     .expect("in range");
     let area: f64 = (0..mesh.triangle_count())
         .map(|i| {
-            let [a, b, c] = mesh.corners(i).map(|corner| corner.position.as_dvec3());
+            let [a, b, c] = mesh.corners(i).map(|corner| corner.position);
             (b - a).cross(c - a).length() / 2.0
         })
         .sum();
@@ -230,7 +230,7 @@ fn a_cone_faces_outwards() {
         assert!(
             vertex
                 .normal
-                .dot(vertex.position * Vec3::new(1.0, 0.0, 1.0))
+                .dot(vertex.position.as_vec3() * Vec3::new(1.0, 0.0, 1.0))
                 > 0.0
         );
     }
@@ -262,7 +262,7 @@ fn slices_fill_their_cube_evenly() {
     })
     .expect("in range");
     assert_eq!(mesh.triangle_count(), 5 * 8);
-    let z: Vec<f32> = mesh
+    let z: Vec<f64> = mesh
         .vertices
         .chunks(9)
         .map(|slice| slice[0].position.z)

@@ -9,7 +9,8 @@ use scene_kit::model::{CORNERS, colors, with_materials};
 use scene_kit::{Folder, obj, obj_mesh, toml};
 
 fn positions(mesh: &Mesh, triangle: usize) -> [Vec3; 3] {
-    mesh.corners(triangle).map(|corner| corner.position)
+    mesh.corners(triangle)
+        .map(|corner| corner.position.as_vec3())
 }
 
 #[test]
@@ -84,7 +85,7 @@ fn missing_normals_are_those_of_the_faces() {
 fn smooth_normals_weigh_faces_by_their_area() {
     // At the origin three faces meet that span areas 1/2, 1 and 3/2 across x, y and z.
     let mesh = obj_mesh("v 0 0 0\nv 1 0 0\nv 0 3 0\nv 0 0 1\nv 2 0 0\nf 1 2 3\nf 1 4 5\nf 1 3 4\n");
-    let at_origin = mesh.vertices.iter().find(|v| v.position == Vec3::ZERO);
+    let at_origin = mesh.vertices.iter().find(|v| v.position == DVec3::ZERO);
     let expected = DVec3::new(3.0, 2.0, 3.0).normalize().as_vec3();
     // One rounding from f64 to f32 on either side.
     assert!((at_origin.expect("vertex 1").normal - expected).length() < 2e-7);

@@ -5,8 +5,8 @@ mod scene_kit;
 use std::collections::{BTreeMap, BTreeSet};
 
 use glam::{DVec3, Vec3};
-use onionskin::scene::Mesh;
 use onionskin::scene::generate::{Teapot, teapot};
+use onionskin::scene::{Mesh, Vertex};
 use scene_kit::toml;
 
 fn pot(cells: u32) -> Mesh {
@@ -16,7 +16,7 @@ fn pot(cells: u32) -> Mesh {
 /// Where a ray first meets a mesh: the triangle, and whether the ray comes from its outside.
 fn first_hit(mesh: &Mesh, eye: DVec3, direction: DVec3) -> Option<(f64, bool)> {
     let hits = (0..mesh.triangle_count()).filter_map(|i| {
-        let [a, b, c] = mesh.corners(i).map(|corner| corner.position.as_dvec3());
+        let [a, b, c] = mesh.corners(i).map(|corner| corner.position);
         let across = (b - a).cross(c - a);
         let facing = across.dot(direction);
         let distance = across.dot(a - eye) / facing;
@@ -78,7 +78,7 @@ fn the_teapot_has_32_patches_less_the_triangles_at_the_poles() {
 fn no_triangle_is_without_area() {
     let mesh = pot(10);
     for i in 0..mesh.triangle_count() {
-        let [a, b, c] = mesh.corners(i).map(|corner| corner.position.as_dvec3());
+        let [a, b, c] = mesh.corners(i).map(|corner| corner.position);
         assert!((b - a).cross(c - a).length() > 1e-7, "triangle {i}");
     }
 }
@@ -114,7 +114,7 @@ fn the_teapot_has_the_published_extent() {
 fn the_teapot_is_symmetric_to_the_plane_of_handle_and_spout() {
     let mesh = pot(6);
     // Rounded to a grid that is coarse against f32 and fine against the vertices' distances.
-    let place = |p: Vec3| (p * 1e4).round().to_array().map(|x| x as i32);
+    let place = |p: DVec3| (p * 1e4).round().to_array().map(|x| x as i32);
     let places: BTreeSet<[i32; 3]> = mesh.vertices.iter().map(|v| place(v.position)).collect();
     for &[x, y, z] in &places {
         assert!(places.contains(&[x, y, -z]));
@@ -125,7 +125,7 @@ fn the_teapot_is_symmetric_to_the_plane_of_handle_and_spout() {
 fn the_teapot_comes_in_three_pieces() {
     // Vertices in one place are one vertex.
     let mesh = pot(4);
-    let place = |p: Vec3| (p * 1e4).round().to_array().map(|x| x as i32);
+    let place = |p: DVec3| (p * 1e4).round().to_array().map(|x| x as i32);
     let mut ids = BTreeMap::new();
     let welded: Vec<[usize; 3]> = (0..mesh.triangle_count())
         .map(|i| {
@@ -195,7 +195,7 @@ fn normals_point_to_the_outside() {
     let mesh = pot(16);
     for i in 0..mesh.triangle_count() {
         let corners = mesh.corners(i);
-        let [a, b, c] = corners.map(|corner| corner.position.as_dvec3());
+        let [a, b, c] = corners.map(|corner| corner.position);
         let across = (b - a).cross(c - a).normalize();
         for corner in corners {
             assert!(corner.normal.is_normalized());
@@ -208,9 +208,12 @@ fn normals_point_to_the_outside() {
 #[test]
 fn normals_at_the_poles_are_vertical() {
     let mesh = pot(8);
-    let at = |place: Vec3| mesh.vertices.iter().filter(move |v| v.position == place);
-    let tops: Vec<_> = at(Vec3::new(0.0, 3.15, 0.0)).collect();
-    let bottoms: Vec<_> = at(Vec3::ZERO).collect();
+    let at = |place: DVec3| {
+        let here = move |v: &&Vertex| v.position.as_vec3() == place.as_vec3();
+        mesh.vertices.iter().filter(here)
+    };
+    let tops: Vec<_> = at(DVec3::new(0.0, 3.15, 0.0)).collect();
+    let bottoms: Vec<_> = at(DVec3::ZERO).collect();
     assert_eq!([tops.len(), bottoms.len()], [36, 36]);
     // Rounded from f64 once.
     assert!(tops.iter().all(|v| (v.normal - Vec3::Y).length() < 1e-6));
@@ -224,17 +227,18 @@ fn normals_agree_with_a_finer_teapots_faces() {
     let mut faces: BTreeMap<[u32; 3], DVec3> = BTreeMap::new();
     for i in 0..fine.triangle_count() {
         let corners = fine.corners(i).map(|corner| corner.position);
-        let [a, b, c] = corners.map(Vec3::as_dvec3);
+        let [a, b, c] = corners;
         let across = (b - a).cross(c - a);
         for corner in corners {
             *faces
-                .entry(corner.to_array().map(f32::to_bits))
+                .entry(corner.as_vec3().to_array().map(f32::to_bits))
                 .or_default() += across;
         }
     }
     let mut checked = 0;
     for vertex in &coarse.vertices {
-        let Some(around) = faces.get(&vertex.position.to_array().map(f32::to_bits)) else {
+        let Some(around) = faces.get(&vertex.position.as_vec3().to_array().map(f32::to_bits))
+        else {
             continue;
         };
         let cosine = vertex.normal.as_dvec3().dot(around.normalize());

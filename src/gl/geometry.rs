@@ -1,5 +1,6 @@
 //! A scene's meshes in the driver's memory.
 
+use bytemuck::{Pod, Zeroable};
 use glam::{DMat4, DVec2, DVec3, Mat4, Vec3};
 use glow::HasContext;
 
@@ -15,11 +16,14 @@ pub struct Geometry<'c> {
     context: &'c Context,
     meshes: Vec<Uploaded>,
     draws: Vec<Run>,
-    /// World to clip space.
+    /// The place in the world that positions are drawn relative to: [`origin_of`].
+    origin: DVec3,
+    /// From positions relative to the origin to clip space.
     view_projection: Mat4,
-    /// World to eye space, and eye to clip space.
+    /// From positions relative to the origin to eye space, and eye to clip space.
     pub(super) view: DMat4,
     pub(super) projection: DMat4,
+    /// Relative to the origin.
     eye: Vec3,
     /// Where transparent surfaces may be: columns and rows from the lower left, x, y, width, height.
     window: [i32; 4],
@@ -58,6 +62,25 @@ pub(super) struct Buffers {
     pub(super) count: i32,
 }
 
+/// A vertex as a driver gets it.
+#[derive(Clone, Copy, Pod, Zeroable)]
+#[repr(C)]
+struct Corner {
+    position: [f32; 3],
+    normal: [f32; 3],
+    color: [f32; 4],
+}
+
+impl Corner {
+    fn of(vertex: &Vertex, origin: DVec3) -> Self {
+        Self {
+            position: (vertex.position - origin).as_vec3().to_array(),
+            normal: vertex.normal.to_array(),
+            color: vertex.color.to_array(),
+        }
+    }
+}
+
 /// One mesh and what its draw calls need.
 struct Uploaded {
     vertices: glow::Buffer,
@@ -80,9 +103,12 @@ impl<'c> Geometry<'c> {
         let mut geometry = Self::empty(context, scene, size);
         let mut place = 0;
         for (number, mesh) in scene.meshes.iter().enumerate() {
-            geometry
-                .meshes
-                .push(Uploaded::new(context.glow(), mesh, &mesh.triangles)?);
+            geometry.meshes.push(Uploaded::new(
+                context.glow(),
+                mesh,
+                &mesh.triangles,
+                geometry.origin,
+            )?);
             // `Uploaded::new` has checked that the count fits.
             geometry.draws.push(Run {
                 mesh: number,
@@ -94,7 +120,8 @@ impl<'c> Geometry<'c> {
         }
         for (number, volume) in scene.volumes.iter().enumerate() {
             let proxy = proxy(volume);
-            let mut uploaded = Uploaded::new(context.glow(), &proxy, &proxy.triangles)?;
+            let mut uploaded =
+                Uploaded::new(context.glow(), &proxy, &proxy.triangles, geometry.origin)?;
             uploaded.volume = Some(number as u32);
             geometry.meshes.push(uploaded);
             geometry.draws.push(Run {
@@ -134,26 +161,32 @@ impl<'c> Geometry<'c> {
             of_mesh.push(scene.meshes[mesh].triangles[triangle as usize]);
         }
         for (mesh, triangles) in scene.meshes.iter().zip(&triangles) {
-            geometry
-                .meshes
-                .push(Uploaded::new(context.glow(), mesh, triangles)?);
+            geometry.meshes.push(Uploaded::new(
+                context.glow(),
+                mesh,
+                triangles,
+                geometry.origin,
+            )?);
         }
         Ok(geometry)
     }
 
     fn empty(context: &'c Context, scene: &Scene, size: [u32; 2]) -> Self {
         let camera = &scene.camera;
-        let (view, projection) = (camera.view(), camera.projection(size[0], size[1]));
+        let origin = origin_of(scene);
+        let view = camera.view() * DMat4::from_translation(origin);
+        let projection = camera.projection(size[0], size[1]);
         let view_projection: DMat4 = projection * view;
         Self {
             context,
             meshes: Vec::with_capacity(scene.meshes.len()),
             draws: Vec::new(),
+            origin,
             view_projection: view_projection.as_mat4(),
             view,
             projection,
-            eye: camera.eye.as_vec3(),
-            window: window_of_transparent(scene, view_projection, size),
+            eye: (camera.eye - origin).as_vec3(),
+            window: window_of_transparent(scene, projection * camera.view(), size),
         }
     }
 
@@ -224,7 +257,7 @@ impl<'c> Geometry<'c> {
 }
 
 impl Uploaded {
-    fn new(gl: &glow::Context, mesh: &Mesh, triangles: &[[u32; 3]]) -> Result<Self> {
+    fn new(gl: &glow::Context, mesh: &Mesh, triangles: &[[u32; 3]], origin: DVec3) -> Result<Self> {
         if let Some(index) = mesh
             .triangles
             .iter()
@@ -257,9 +290,14 @@ impl Uploaded {
             what,
             remedy: "the driver is out of memory or lost".into(),
         };
-        let stride = size_of::<Vertex>() as i32;
+        let corners: Vec<Corner> = mesh
+            .vertices
+            .iter()
+            .map(|vertex| Corner::of(vertex, origin))
+            .collect();
+        let stride = size_of::<Corner>() as i32;
         // SAFETY: the context is current; the slices are read before the calls return; the three attributes lie within
-        // the stride, as Vertex is laid out in C's way.
+        // the stride, as Corner is laid out in C's way.
         unsafe {
             let array = gl.create_vertex_array().map_err(out)?;
             gl.bind_vertex_array(Some(array));
@@ -267,7 +305,7 @@ impl Uploaded {
             gl.bind_buffer(glow::ARRAY_BUFFER, Some(vertices));
             gl.buffer_data_u8_slice(
                 glow::ARRAY_BUFFER,
-                bytemuck::cast_slice(&mesh.vertices),
+                bytemuck::cast_slice(&corners),
                 glow::STATIC_DRAW,
             );
             let indices = gl.create_buffer().map_err(out)?;
@@ -317,6 +355,17 @@ impl Uploaded {
     }
 }
 
+/// The place that positions are drawn relative to: the middle of a scene that lies so far from the world's origin that
+/// 32 bits would lose digits of its shape, as map coordinates do; otherwise the origin itself.
+fn origin_of(scene: &Scene) -> DVec3 {
+    /// A scene this many of its own sizes away loses as many times f32's rounding, and from here on gains by moving.
+    const FAR: f64 = 8.0;
+    match scene.bounds() {
+        Some(bounds) if bounds.centre().length() > FAR * bounds.size().length() => bounds.centre(),
+        _ => DVec3::ZERO,
+    }
+}
+
 /// The box around a volume, its faces turned outwards.
 fn proxy(volume: &Volume) -> Mesh {
     // Corners by their bits: 1 for the end of x, 2 of y, 4 of z. Counterclockwise, seen from outside.
@@ -329,7 +378,7 @@ fn proxy(volume: &Volume) -> Mesh {
         [4, 5, 7, 6],
     ];
     let corner = |position: DVec3| Vertex {
-        position: position.as_vec3(),
+        position,
         normal: Vec3::ZERO,
         color: Rgba::default(),
     };
@@ -360,7 +409,7 @@ fn window_of_transparent(
     let transparent = scene.meshes.iter().filter(|mesh| !mesh.opaque);
     let vertices = transparent
         .flat_map(|mesh| &mesh.vertices)
-        .map(|vertex| vertex.position.as_dvec3());
+        .map(|vertex| vertex.position);
     for position in vertices.chain(scene.volumes.iter().flat_map(Volume::corners)) {
         let clip = view_projection * position.extend(1.0);
         if clip.w <= 0.0 {

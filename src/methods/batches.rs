@@ -76,7 +76,7 @@ pub(super) fn batches(
 fn depth_range(view_projection: DMat4, corners: [crate::scene::Vertex; 3]) -> [f64; 2] {
     let mut range = [f64::INFINITY, f64::NEG_INFINITY];
     for corner in corners {
-        let clip = view_projection * corner.position.as_dvec3().extend(1.0);
+        let clip = view_projection * corner.position.extend(1.0);
         if clip.w <= 0.0 {
             return [0.0, 1.0];
         }

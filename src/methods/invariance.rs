@@ -6,7 +6,7 @@
 //! the comparison skips them; it *doubles* some, because a fragment passes the comparison with itself; and it gets
 //! *stuck*, because one goes on doing so, and then no layer is ever empty and the loop does not end.
 
-use glam::Vec3;
+use glam::DVec3;
 
 use super::coplanar::{Shown, shown};
 use super::depth_unit_0::{DepthUnit0, Trial};
@@ -160,15 +160,11 @@ pub fn perspective_soup(seed: u64, count: u32, ratio: f64, size: [u32; 2]) -> Re
         ..Soup::default()
     })?;
     for vertex in &mut mesh.vertices {
-        let [x, y, z] = vertex.position.as_dvec3().to_array();
+        let [x, y, z] = vertex.position.to_array();
         // From -1.2..1.2 to 1%..99% of the way, in factors of the distance.
         let along = 0.01 + 0.98 * ((z + 1.2) / 2.4).clamp(0.0, 1.0);
         let distance = NEAR * ratio.powf(along);
-        vertex.position = Vec3::new(
-            (x * 0.5 * distance) as f32,
-            (y * 0.5 * distance) as f32,
-            -distance as f32,
-        );
+        vertex.position = DVec3::new(x * 0.5 * distance, y * 0.5 * distance, -distance);
     }
     let mut scene = Scene::of("perspective soup", vec![mesh]);
     scene.size = size;

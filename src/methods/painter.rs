@@ -38,7 +38,7 @@ impl Algorithm for Painter {
 /// Every triangle as mesh and number, the one with the farthest centroid along the view direction first; of equally
 /// far ones, the one submitted last, because the one submitted first lies in front.
 fn back_to_front(scene: &Scene) -> Vec<[u32; 2]> {
-    let mut keyed: Vec<(f32, [u32; 2])> = Vec::new();
+    let mut keyed: Vec<(f64, [u32; 2])> = Vec::new();
     for (mesh_number, mesh) in scene.meshes.iter().enumerate() {
         let key = |triangle: &[u32; 3]| centroid_depth(scene, mesh, *triangle);
         keyed.extend(

@@ -51,8 +51,8 @@ impl Sorting {
 }
 
 /// Three times a triangle's distance along the view direction; the factor does not change an order.
-pub(super) fn centroid_depth(scene: &Scene, mesh: &Mesh, triangle: [u32; 3]) -> f32 {
-    let forward = (scene.camera.target - scene.camera.eye).as_vec3();
+pub(super) fn centroid_depth(scene: &Scene, mesh: &Mesh, triangle: [u32; 3]) -> f64 {
+    let forward = scene.camera.target - scene.camera.eye;
     let depth = |corner: u32| mesh.vertices[corner as usize].position.dot(forward);
     triangle.into_iter().map(depth).sum()
 }
@@ -69,13 +69,13 @@ pub(super) fn sorted_meshes_front_to_back(scene: &Scene) -> Vec<[u32; 2]> {
 }
 
 /// What is nearer comes first; of what is equally near, what came first.
-fn nearest_first<T>(items: Vec<T>, depth: impl Fn(&T) -> f32) -> Vec<T> {
-    let mut keyed: Vec<(f32, T)> = items.into_iter().map(|item| (depth(&item), item)).collect();
+fn nearest_first<T>(items: Vec<T>, depth: impl Fn(&T) -> f64) -> Vec<T> {
+    let mut keyed: Vec<(f64, T)> = items.into_iter().map(|item| (depth(&item), item)).collect();
     keyed.sort_by(|(a, _), (b, _)| a.total_cmp(b));
     keyed.into_iter().map(|(_, item)| item).collect()
 }
 
-fn depth_of(scene: &Scene, [mesh, triangle]: [u32; 2]) -> f32 {
+fn depth_of(scene: &Scene, [mesh, triangle]: [u32; 2]) -> f64 {
     let mesh = &scene.meshes[mesh as usize];
     centroid_depth(scene, mesh, mesh.triangles[triangle as usize])
 }
@@ -90,23 +90,23 @@ fn every_triangle(scene: &Scene, meshes: &[u32]) -> Vec<[u32; 2]> {
         .collect()
 }
 
-fn middle_depth(scene: &Scene, mesh: u32) -> f32 {
+fn middle_depth(scene: &Scene, mesh: u32) -> f64 {
     let forward = scene.camera.target - scene.camera.eye;
     let bounds = scene.meshes[mesh as usize].bounds();
-    bounds.map_or(0.0, |bounds| bounds.centre().dot(forward) as f32)
+    bounds.map_or(0.0, |bounds| bounds.centre().dot(forward))
 }
 
 /// Linear in the number of triangles.
 fn in_buckets(scene: &Scene, meshes: &[u32], count: u32) -> Vec<Vec<[u32; 2]>> {
     let count = count.max(1) as usize;
     let triangles = every_triangle(scene, meshes);
-    let depths: Vec<f32> = triangles.iter().map(|&t| depth_of(scene, t)).collect();
-    let near = depths.iter().copied().fold(f32::INFINITY, f32::min);
-    let far = depths.iter().copied().fold(f32::NEG_INFINITY, f32::max);
-    let bucket_of = |depth: f32| {
+    let depths: Vec<f64> = triangles.iter().map(|&t| depth_of(scene, t)).collect();
+    let near = depths.iter().copied().fold(f64::INFINITY, f64::min);
+    let far = depths.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let bucket_of = |depth: f64| {
         let part = (depth - near) / (far - near);
         // Not a number if all depths are equal: then there is one bucket.
-        ((part * count as f32) as usize).min(count - 1)
+        ((part * count as f64) as usize).min(count - 1)
     };
     let mut buckets: Vec<Vec<[u32; 2]>> = vec![Vec::new(); count];
     for (triangle, depth) in triangles.into_iter().zip(depths) {

@@ -111,7 +111,11 @@ impl Animation {
         for mesh in &scene.meshes {
             let look = (mesh.shading, mesh.inside, mesh.opaque, mesh.sorted);
             crc.update(format!("{look:?}").as_bytes());
-            crc.update(cast_slice(&mesh.vertices));
+            for vertex in &mesh.vertices {
+                crc.update(cast_slice(&vertex.position.to_array()));
+                crc.update(cast_slice(&vertex.normal.to_array()));
+                crc.update(cast_slice(&vertex.color.to_array()));
+            }
             crc.update(cast_slice(&mesh.triangles));
         }
         for volume in &scene.volumes {

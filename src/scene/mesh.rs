@@ -1,19 +1,18 @@
 //! Triangles, ready to be submitted in their order.
 
-use bytemuck::{Pod, Zeroable};
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 
 use super::bounds::Bounds;
 use super::chance::Chance;
 use super::normals;
 use crate::fragment::Rgba;
 
-/// A corner as it is uploaded.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
-#[repr(C)]
+/// A corner.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Vertex {
-    /// World space, finite.
-    pub position: Vec3,
+    /// World space, finite. In f64, because maps and building plans have coordinates of millions of metres, and because
+    /// the oracle decides by it what lies in front; a driver gets 32 bits of its place in the scene.
+    pub position: DVec3,
     /// World space, unit length; points to the outside.
     pub normal: Vec3,
     /// Of the outside, straight alpha.
@@ -77,7 +76,7 @@ impl Mesh {
 
     /// The box of its vertices; `None` if there are none.
     pub fn bounds(&self) -> Option<Bounds> {
-        Bounds::of(self.vertices.iter().map(|v| v.position.as_dvec3()))
+        Bounds::of(self.vertices.iter().map(|v| v.position))
     }
 
     /// The three corners of one triangle, which must be there.

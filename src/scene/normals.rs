@@ -4,7 +4,7 @@ use glam::{DVec3, Vec3};
 
 /// One normal per position: those of the triangles around it, weighted by their areas, so that a sliver counts little
 /// and a triangle without area nothing. Unit length; +z where there is nothing to go by.
-pub(super) fn smooth(positions: &[Vec3], triangles: &[[u32; 3]]) -> Vec<Vec3> {
+pub(super) fn smooth(positions: &[DVec3], triangles: &[[u32; 3]]) -> Vec<Vec3> {
     let mut sums = vec![DVec3::ZERO; positions.len()];
     for triangle in triangles {
         let doubled_area = cross(triangle.map(|corner| positions[corner as usize]));
@@ -16,19 +16,18 @@ pub(super) fn smooth(positions: &[Vec3], triangles: &[[u32; 3]]) -> Vec<Vec3> {
 }
 
 /// A triangle's own normal; +z if it has no area.
-pub(super) fn face(corners: [Vec3; 3]) -> Vec3 {
+pub(super) fn face(corners: [DVec3; 3]) -> Vec3 {
     unit(cross(corners))
 }
 
-/// Whether a triangle covers nothing: its corners are on one line, or coincide. Exact for corners within a factor of
-/// 2^28 of each other, where neither the differences nor the products of two f32 are rounded in f64.
-pub(super) fn is_degenerate(corners: [Vec3; 3]) -> bool {
+/// Whether a triangle covers nothing: its corners are on one line, or coincide. Exact for corners that are f32 within a
+/// factor of 2^28 of each other, where neither the differences nor the products are rounded in f64.
+pub(super) fn is_degenerate(corners: [DVec3; 3]) -> bool {
     cross(corners) == DVec3::ZERO
 }
 
 /// Twice the area, along the normal.
-fn cross([a, b, c]: [Vec3; 3]) -> DVec3 {
-    let [a, b, c] = [a.as_dvec3(), b.as_dvec3(), c.as_dvec3()];
+fn cross([a, b, c]: [DVec3; 3]) -> DVec3 {
     (b - a).cross(c - a)
 }
 

@@ -4,7 +4,7 @@
 //! All volumes of a scene share one stack, so that slices of overlapping volumes are not only sorted but one: what two
 //! volumes have at a place is mixed there, not composited one after the other.
 
-use glam::{DVec2, DVec3, Vec3};
+use glam::{DVec2, DVec3};
 
 use super::{Camera, Mesh, Scene, Shading, Vertex, Volume};
 use crate::fragment::Rgba;
@@ -107,9 +107,9 @@ impl View {
         })
     }
 
-    fn world(&self, point: DVec2, distance: f64) -> Vec3 {
+    fn world(&self, point: DVec2, distance: f64) -> DVec3 {
         let from_eye = self.right * point.x + self.up * point.y + self.forward * distance;
-        (self.eye + from_eye).as_vec3()
+        self.eye + from_eye
     }
 }
 
@@ -204,12 +204,12 @@ mod tests {
     }
 
     /// The area of all triangles between two distances.
-    fn area(stack: &Stack, range: [f32; 2]) -> f32 {
+    fn area(stack: &Stack, range: [f64; 2]) -> f64 {
         let mesh = &stack.scene.meshes[0];
         let corners = (0..mesh.triangle_count()).map(|i| mesh.corners(i).map(|c| c.position));
         let among = corners.filter(|[a, ..]| (range[0]..range[1]).contains(&(5.0 - a.z)));
         among
-            .map(|[a, b, c]| (b - a).cross(c - a).dot(Vec3::Z) / 2.0)
+            .map(|[a, b, c]| (b - a).cross(c - a).dot(DVec3::Z) / 2.0)
             .sum()
     }
 
@@ -218,9 +218,9 @@ mod tests {
         let stack = cube().as_slices(4);
         let mesh = &stack.scene.meshes[0];
         assert_eq!((mesh.triangle_count(), stack.spacing), (8, 0.5));
-        let heights: Vec<f32> = mesh.vertices.iter().map(|v| v.position.z).collect();
+        let heights: Vec<f64> = mesh.vertices.iter().map(|v| v.position.z).collect();
         let expected = [0.75, 0.25, -0.25, -0.75];
-        let expected = expected.iter().flat_map(|z| [*z; 4]).collect::<Vec<f32>>();
+        let expected = expected.iter().flat_map(|z| [*z; 4]).collect::<Vec<f64>>();
         assert_eq!(heights, expected);
         assert!(stack.scene.volumes.is_empty() && mesh.sorted && !mesh.opaque);
     }
@@ -232,7 +232,7 @@ mod tests {
         turned(&mut scene, DVec3::new(0.2, -0.1, 0.0));
         scene.volumes.remove(0);
         let stack = scene.as_slices(1000);
-        let filled = area(&stack, [0.0, 9.0]) * stack.spacing as f32;
+        let filled = area(&stack, [0.0, 9.0]) * stack.spacing;
         // A midpoint sum of a function with bounded second derivative over 1000 slabs, and f32 sums.
         assert!((filled - 8.0).abs() < 1e-3, "{filled}");
     }
@@ -247,11 +247,11 @@ mod tests {
         let slices: std::collections::BTreeSet<u32> = stack.scene.meshes[0]
             .vertices
             .iter()
-            .map(|vertex| ((5.0 - vertex.position.z) / stack.spacing as f32 * 2.0) as u32)
+            .map(|vertex| ((5.0 - vertex.position.z) / stack.spacing * 2.0) as u32)
             .collect();
         assert_eq!(slices.len(), 100);
         // From the cube's left side over the gap: more than the two cross-sections.
-        let filled = |stack: &Stack| area(stack, [4.5, 5.5]) * stack.spacing as f32;
+        let filled = |stack: &Stack| area(stack, [4.5, 5.5]) * stack.spacing;
         assert!(filled(&stack) > filled(&alone) * 2.2);
     }
 
@@ -262,7 +262,7 @@ mod tests {
         let stack = scene.as_slices(2);
         assert_eq!(stack.spacing, 0.25);
         let heights = stack.scene.meshes[0].vertices.iter().map(|v| v.position.z);
-        assert_eq!(heights.fold(f32::INFINITY, f32::min), 0.125);
+        assert_eq!(heights.fold(f64::INFINITY, f64::min), 0.125);
         scene.camera.near = 8.0;
         scene.camera.far = 9.0;
         assert_eq!(scene.as_slices(2).scene.meshes[0].triangle_count(), 0);

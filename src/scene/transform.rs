@@ -42,7 +42,7 @@ impl Transform {
 }
 
 impl Mesh {
-    /// The same mesh elsewhere. A coordinate beyond the range of f32 becomes infinite: [`Mesh::is_finite`].
+    /// The same mesh elsewhere. A coordinate beyond the range of f32 is none that a driver can draw: [`Mesh::is_finite`].
     #[must_use]
     pub fn transformed(mut self, transform: &Transform) -> Self {
         if *transform == Transform::default() {
@@ -53,9 +53,9 @@ impl Mesh {
         let for_normals =
             DMat3::from_quat(transform.rotation()) * DMat3::from_diagonal(transform.scale.recip());
         for vertex in &mut self.vertices {
-            let position = to_world.transform_point3(vertex.position.as_dvec3());
+            let position = to_world.transform_point3(vertex.position);
             let normal = for_normals * vertex.normal.as_dvec3();
-            vertex.position = position.as_vec3();
+            vertex.position = position;
             vertex.normal = normal.normalize_or(DVec3::Z).as_vec3();
         }
         if transform.scale.element_product() < 0.0 {
@@ -66,10 +66,10 @@ impl Mesh {
         self
     }
 
-    /// Whether every position and normal is finite.
+    /// Whether every position and normal is finite, in 32 bits as in 64.
     pub fn is_finite(&self) -> bool {
         self.vertices
             .iter()
-            .all(|vertex| vertex.position.is_finite() && vertex.normal.is_finite())
+            .all(|vertex| vertex.position.as_vec3().is_finite() && vertex.normal.is_finite())
     }
 }

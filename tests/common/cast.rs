@@ -196,9 +196,7 @@ fn triangles<'s>(scene: &'s Scene, view: &View) -> Vec<Triangle<'s>> {
     let mut triangles = Vec::new();
     for mesh in &scene.meshes {
         for number in 0..mesh.triangle_count() {
-            let corners = mesh
-                .corners(number)
-                .map(|corner| corner.position.as_dvec3());
+            let corners = mesh.corners(number).map(|corner| corner.position);
             triangles.push(Triangle {
                 mesh,
                 number,

@@ -58,7 +58,7 @@ pub fn scene(triangles: &[[Corner; 3]]) -> Scene {
         .map(|&([x, y, z], color)| {
             let [r, g, b, a] = color.map(|eighths| f32::from(eighths) / 8.0);
             Vertex {
-                position: Vec3::new(f32::from(x), f32::from(y), f32::from(z)) / 16.0,
+                position: DVec3::new(f64::from(x), f64::from(y), f64::from(z)) / 16.0,
                 normal: Vec3::Z,
                 color: Rgba::new(r, g, b, a),
             }

@@ -91,7 +91,7 @@ fn mesh(name: &str, triangles: &[Triangle], alpha: impl Fn(&Triangle) -> f32) ->
         let [r, g, b] = triangle.color;
         let color = Rgba::new(r, g, b, alpha(triangle));
         triangle.corners.map(|corner| Vertex {
-            position: Vec3::from_array(corner),
+            position: Vec3::from_array(corner).as_dvec3(),
             normal: Vec3::Z,
             color,
         })

@@ -136,7 +136,7 @@ impl Stack {
             let x = ((column + dx) / width * 2.0 - 1.0) * depth * width / height;
             let y = (1.0 - (row + dy) / height * 2.0) * depth;
             mesh.vertices.push(Vertex {
-                position: Vec3::new(x as f32, y as f32, -depth as f32),
+                position: DVec3::new(x, y, -depth),
                 normal: Vec3::Z,
                 color: Rgba::new(r, g, b, a),
             });

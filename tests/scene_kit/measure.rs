@@ -26,7 +26,7 @@ pub fn euler(mesh: &Mesh) -> i64 {
 /// The volume that a closed surface encloses; positive if its triangles face outwards.
 pub fn volume(mesh: &Mesh) -> f64 {
     let sixfold = (0..mesh.triangle_count()).map(|i| {
-        let [a, b, c] = mesh.corners(i).map(|corner| corner.position.as_dvec3());
+        let [a, b, c] = mesh.corners(i).map(|corner| corner.position);
         a.dot(b.cross(c))
     });
     sixfold.sum::<f64>() / 6.0
@@ -38,7 +38,7 @@ pub fn worst_agreement(mesh: &Mesh) -> f32 {
         let corners = mesh.corners(i);
         let [a, b, c] = corners.map(|corner| corner.position);
         let across = (b - a).cross(c - a).normalize();
-        corners.map(|corner| corner.normal.dot(across))
+        corners.map(|corner| corner.normal.dot(across.as_vec3()))
     });
     cosines.fold(f32::INFINITY, f32::min)
 }

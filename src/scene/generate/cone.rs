@@ -73,7 +73,7 @@ impl Generator for Cone {
             let radius = bottom + (top - bottom) * v;
             let outwards = DVec3::new(height * cos, bottom - top, -height * sin);
             Vertex {
-                position: DVec3::new(radius * cos, height * (v - 0.5), -radius * sin).as_vec3(),
+                position: DVec3::new(radius * cos, height * (v - 0.5), -radius * sin),
                 normal: outwards.normalize().as_vec3(),
                 ..Vertex::default()
             }

@@ -151,7 +151,7 @@ impl Isosurface<'_> {
         let to_world = self.volume.index_to_world();
         let uphill = self.volume.world_to_index().matrix3.transpose() * self.gradient(index);
         Vertex {
-            position: to_world.transform_point3(index).as_vec3(),
+            position: to_world.transform_point3(index),
             normal: (-uphill).normalize_or(DVec3::Z).as_vec3(),
             ..Vertex::default()
         }

@@ -50,7 +50,7 @@ impl Generator for Plane {
         let mut mesh = named("plane");
         let [width, depth] = self.size;
         Grid::open(self.cells, self.cells).add_to(&mut mesh, |u, v| Vertex {
-            position: Vec3::new(width * (u as f32 - 0.5), 0.0, depth * (0.5 - v as f32)),
+            position: Vec3::new(width * (u as f32 - 0.5), 0.0, depth * (0.5 - v as f32)).as_dvec3(),
             normal: Vec3::Y,
             ..Vertex::default()
         });

@@ -123,7 +123,7 @@ impl Quads {
     fn corners(&self, depth: f32, [r, g, b]: [f32; 3]) -> [Vertex; 4] {
         let [width, height] = self.size;
         [(-0.5, -0.5), (0.5, -0.5), (0.5, 0.5), (-0.5, 0.5)].map(|(x, y)| Vertex {
-            position: Vec3::new(x * width, y * height, -depth),
+            position: Vec3::new(x * width, y * height, -depth).as_dvec3(),
             normal: Vec3::Z,
             color: Rgba::new(r, g, b, self.alpha),
         })

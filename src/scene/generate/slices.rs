@@ -96,7 +96,7 @@ impl Slices {
         let density = density(point) as f32;
         let [r, g, b] = color(density);
         Vertex {
-            position: (point * f64::from(self.size) / 2.0).as_vec3(),
+            position: point * f64::from(self.size) / 2.0,
             normal: Vec3::Z,
             color: Rgba::new(r, g, b, self.alpha * density),
         }

@@ -86,7 +86,7 @@ impl Soup {
         let middle = vector(chance, self.extent);
         let [smallest, largest] = self.triangle_size;
         let half = chance.between(smallest, largest) / 2.0;
-        let positions = [(); 3].map(|()| middle + vector(chance, half));
+        let positions = [(); 3].map(|()| (middle + vector(chance, half)).as_dvec3());
         let [r, g, b] = [(); 3].map(|()| chance.unit());
         let color = Rgba::new(r, g, b, chance.between(self.alpha[0], self.alpha[1]));
         let normal = normals::face(positions);

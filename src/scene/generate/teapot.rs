@@ -78,9 +78,10 @@ fn mirrored(patch: &Patch, axis: usize) -> Patch {
 
 /// A point of a patch, turned so that y is up.
 fn vertex(patch: &Patch, u: f64, v: f64) -> Vertex {
+    // In 32 bits, so that the corners of neighbouring patches, and all those of a pole, are in one place to the last bit.
     let upright = |point: DVec3| dvec3(point.x, point.z, -point.y).as_vec3();
     Vertex {
-        position: upright(sum(patch, weights(u), weights(v))),
+        position: upright(sum(patch, weights(u), weights(v))).as_dvec3(),
         normal: upright(normal(patch, u, v)),
         ..Vertex::default()
     }

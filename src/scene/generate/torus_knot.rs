@@ -93,7 +93,7 @@ impl Generator for TorusKnot {
             let frame = self.frame(TAU * v);
             let outwards = frame.away * cos + frame.across * sin;
             Vertex {
-                position: (frame.point + outwards * f64::from(self.tube)).as_vec3(),
+                position: frame.point + outwards * f64::from(self.tube),
                 normal: outwards.as_vec3(),
                 ..Vertex::default()
             }

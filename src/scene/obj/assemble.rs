@@ -1,6 +1,6 @@
 //! From `tobj`'s runs of triangles to meshes.
 
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 
 use super::Paint;
 use super::check::NO_COLOR;
@@ -27,7 +27,10 @@ pub(super) fn meshes(
 }
 
 fn mesh(model: &tobj::Model, material: Option<&tobj::Material>, paint: &Paint) -> Mesh {
-    let positions = vectors(&model.mesh.positions);
+    let positions: Vec<DVec3> = vectors(&model.mesh.positions)
+        .into_iter()
+        .map(DVec3::from)
+        .collect();
     let triangles: Vec<[u32; 3]> = model.mesh.indices.as_chunks().0.to_vec();
     let normals = all_normals(&positions, &vectors(&model.mesh.normals), &triangles);
     let color = paint
@@ -59,7 +62,7 @@ fn opacity(material: &tobj::Material) -> Option<f32> {
 }
 
 /// The file's normals at unit length; smooth ones where it has none, or one of length zero.
-fn all_normals(positions: &[Vec3], given: &[Vec3], triangles: &[[u32; 3]]) -> Vec<Vec3> {
+fn all_normals(positions: &[DVec3], given: &[Vec3], triangles: &[[u32; 3]]) -> Vec<Vec3> {
     let unit = |normal: &Vec3| normal.as_dvec3().try_normalize().map(|unit| unit.as_vec3());
     let given: Vec<Option<Vec3>> = given.iter().map(unit).collect();
     if given.len() == positions.len() && given.iter().all(Option::is_some) {
