@@ -3,6 +3,8 @@
 
 vec4 surface_color();    // surface/unlit.frag, lit.frag or slice.frag
 
+#include "common/fragment_depth.glsl"
+
 layout(early_fragment_tests) in;
 uniform uint first_triangle;
 
@@ -25,6 +27,6 @@ void main() {
     uint place = atomicAdd(count, 1u);
     if (place < list.length()) {
         uvec2 here = uvec2(gl_FragCoord.xy);
-        list[place] = Captured(here.x, here.y, gl_FragCoord.z, first_triangle + uint(gl_PrimitiveID), surface_color());
+        list[place] = Captured(here.x, here.y, FRAGMENT_DEPTH, first_triangle + uint(gl_PrimitiveID), surface_color());
     }
 }

@@ -5,13 +5,16 @@
 
 vec4 surface_color();    // surface/unlit.frag, lit.frag or slice.frag
 
+#include "common/fragment_depth.glsl"
+
 layout(binding = 0) uniform sampler2DShadow depth_unit_0;
 
 out vec4 color;
 
 void main() {
+    STORE_DEPTH
     vec2 here = gl_FragCoord.xy / vec2(textureSize(depth_unit_0, 0));
-    if (texture(depth_unit_0, vec3(here, gl_FragCoord.z)) == 0.0) {
+    if (texture(depth_unit_0, vec3(here, FRAGMENT_DEPTH)) == 0.0) {
         discard;
     }
     vec4 straight = surface_color();

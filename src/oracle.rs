@@ -1,8 +1,17 @@
 //! The oracle: sort, then composite in f64. It knows neither steps nor GL, and every exact method has to equal it.
 //!
 //! One policy for equal depths, everywhere in onionskin: what was submitted first lies in front.
+//!
+//! [`composite`] takes a list of fragments with depths as it is. The exact image does not take the driver's depths for
+//! true: [`surfaces`] finds in f64 where a pixel's ray meets each triangle, and [`pixel`] sorts by that.
 
+mod coplanar;
+mod depth_buffer;
+pub mod pixel;
+pub mod surfaces;
 pub mod volumes;
+
+pub use depth_buffer::DepthBuffer;
 
 use crate::fragment::{Fragment, Rgba};
 

@@ -103,8 +103,9 @@ fn e07_with_depth_replace_every_pixel_left_over_is_a_tie_or_beyond_the_far_plane
                 };
                 if depths.windows(2).any(|pair| pair[1] - pair[0] <= off) {
                     explained[0] += 1;
-                } else if trial == REPLACED && at_far_plane[pixel] {
-                    // One of r/q and window z is 1 and fails LESS against the cleared 1, the other is not.
+                } else if at_far_plane[pixel] {
+                    // One of r/q, window z and what the oracle finds on the ray is before the far plane; another was
+                    // rounded to 1, and fails LESS against the cleared 1.
                     explained[1] += 1;
                 } else {
                     panic!("ratio {ratio}: pixel {pixel} is {verdict:?}: {depths:?}");

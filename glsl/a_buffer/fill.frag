@@ -1,8 +1,6 @@
 #version 430 core
 // Fill Step with atomics: each fragment counts its pixel's counter up, finds its place and writes its record there.
 
-layout(early_fragment_tests) in;
-
 #include "a_buffer/pixel.glsl"
 #include "a_buffer/record.glsl"
 #include "a_buffer/source.glsl"
@@ -24,6 +22,8 @@ layout(std430, binding = 0) writeonly buffer Records {
 };
 
 void main() {
+    STORE_DEPTH
+    SKIP_HIDDEN
     ivec2 here = ivec2(gl_FragCoord.xy);
     uint at = place(imageAtomicAdd(counter, here, 1u));
     if (at < band.capacity) {

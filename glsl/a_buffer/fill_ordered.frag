@@ -3,8 +3,6 @@
 // Fill Step with ordered fragments: the pixel's counter is a colour of the framebuffer, which a fragment reads and writes
 // in its turn. No atomics.
 
-layout(early_fragment_tests) in;
-
 #include "a_buffer/pixel.glsl"
 #include "a_buffer/record.glsl"
 #include "a_buffer/source.glsl"
@@ -21,6 +19,8 @@ layout(std430, binding = 0) writeonly buffer Records {
 };
 
 void main() {
+    STORE_DEPTH
+    SKIP_HIDDEN
     uint at = place(counter);
     counter += 1u;
     if (at < band.capacity) {

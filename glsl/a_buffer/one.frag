@@ -3,8 +3,11 @@
 
 vec4 surface_color();    // surface/unlit.frag or surface/lit.frag; shading is disabled
 
+#include "common/fragment_depth.glsl"
+
 out vec4 color;
 
 void main() {
+    STORE_DEPTH
     color = vec4(1.0);
 }

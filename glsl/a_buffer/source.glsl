@@ -4,6 +4,8 @@
 vec4 surface_color();    // surface/unlit.frag or surface/lit.frag
 uniform uint first_triangle;
 
+#include "common/fragment_depth.glsl"
+
 #if VOLUMES
 uniform uint volume;    // the number of the volume whose box is drawn; NO_VOLUME for surfaces
 
@@ -11,7 +13,7 @@ const uint NO_VOLUME = 0xFFFFFFFFu;
 
 // A box is drawn with its depths clamped, not clipped; the clamp comes after the shader.
 float source_depth() {
-    return clamp(gl_FragCoord.z, 0.0, 1.0);
+    return clamp(FRAGMENT_DEPTH, 0.0, 1.0);
 }
 
 uint source_id() {
@@ -26,7 +28,7 @@ vec4 source_color() {
 }
 #else
 float source_depth() {
-    return gl_FragCoord.z;
+    return FRAGMENT_DEPTH;
 }
 
 uint source_id() {
@@ -36,4 +38,23 @@ uint source_id() {
 vec4 source_color() {
     return surface_color();
 }
+#endif
+
+// What an opaque surface hides is in no list. The depth test comes before the shader, and so before its writes; but not
+// where the shader itself says what is tested.
+#ifdef INVERSE_W
+layout(binding = 5) uniform sampler2D opaque;
+
+bool is_hidden() {
+#if VOLUMES
+    if (volume != NO_VOLUME) {
+        return false;
+    }
+#endif
+    return source_depth() >= texelFetch(opaque, ivec2(gl_FragCoord.xy), 0).r;
+}
+#define SKIP_HIDDEN if (is_hidden()) { discard; }
+#else
+layout(early_fragment_tests) in;
+#define SKIP_HIDDEN
 #endif

@@ -6,7 +6,8 @@
 out vec4 color;
 
 void main() {
-    float z = gl_FragCoord.z;
+    STORE_DEPTH
+    float z = FRAGMENT_DEPTH;
     if (!(z == upper_bound() && z < opaque_depth())) {
         discard;
     }

@@ -6,7 +6,8 @@
 out vec4 color;
 
 void main() {
-    float z = gl_FragCoord.z;
+    STORE_DEPTH
+    float z = FRAGMENT_DEPTH;
     if (!(lower_bound() < z && z < upper_bound())) {
         discard;
     }

@@ -3,6 +3,8 @@
 
 vec4 surface_color();    // surface/unlit.frag, lit.frag or slice.frag
 
+#include "common/fragment_depth.glsl"
+
 layout(binding = 1) uniform sampler2D lower;
 layout(binding = 2) uniform sampler2D upper;
 layout(binding = 3) uniform sampler2D other_upper;

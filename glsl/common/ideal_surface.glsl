@@ -2,6 +2,8 @@
 
 vec4 surface_color();    // surface/unlit.frag, lit.frag or slice.frag
 
+#include "common/fragment_depth.glsl"
+
 void composite_fragment() {
     vec4 straight = surface_color();
     vec4 fragment = vec4(straight.rgb * straight.a, straight.a);

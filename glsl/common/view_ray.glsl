@@ -6,12 +6,20 @@
 vec2 toward = 2.0 * gl_FragCoord.xy / size.xy - 1.0;
 float slant = length(vec3(toward * frustum.zw, 1.0));    // the ray's length over a distance of 1
 
+#ifdef INVERSE_W
+// Of a depth as common/fragment_depth.glsl makes it.
+float distance_of(float depth) {
+    float part = uintBitsToFloat(floatBitsToUint(1.0) - floatBitsToUint(depth));    // near / w
+    return min(frustum.x / part, frustum.y);
+}
+#else
 // A difference of two nearly equal products, so doubles.
 float distance_of(float depth) {
     double near = double(frustum.x);
     double far = double(frustum.y);
     return float(near * far / (far - double(depth) * (far - near)));
 }
+#endif
 
 // 1 - exp(-x), which for small x float's exp has no digits for.
 float opacity_of(float x) {

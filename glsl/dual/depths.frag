@@ -5,6 +5,9 @@ out vec2 depth;
 
 vec4 surface_color();    // linked with every surface
 
+#include "common/fragment_depth.glsl"
+
 void main() {
-    depth = vec2(-gl_FragCoord.z, gl_FragCoord.z);
+    STORE_DEPTH
+    depth = vec2(-FRAGMENT_DEPTH, FRAGMENT_DEPTH);
 }

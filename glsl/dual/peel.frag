@@ -5,6 +5,7 @@
 
 vec4 surface_color();    // surface/unlit.frag, lit.frag or slice.frag
 
+#include "common/fragment_depth.glsl"
 #include "common/dual.glsl"
 
 layout(location = 0) out vec2 next;     // blended by MAX
@@ -12,8 +13,9 @@ layout(location = 1) out vec4 front;    // premultiplied, under what is there
 layout(location = 2) out vec4 back;     // premultiplied, under those of the same depth
 
 void main() {
+    STORE_DEPTH
     vec2 bounds = nearest_and_farthest();
-    float z = gl_FragCoord.z;
+    float z = FRAGMENT_DEPTH;
     if (z < bounds.x || z > bounds.y) {
         discard;
     }

@@ -6,8 +6,9 @@
 #include "common/ideal_pass_1.glsl"
 
 void main() {
+    STORE_DEPTH
     BEGIN_FRAGMENT
-    float z = gl_FragCoord.z;
+    float z = FRAGMENT_DEPTH;
     if (!peel_fragment(z) && z == peel.r) {
         composite_fragment();
     }

@@ -5,8 +5,9 @@
 #include "common/ideal_surface.glsl"
 
 void main() {
+    STORE_DEPTH
     BEGIN_FRAGMENT
-    float z = gl_FragCoord.z;
+    float z = FRAGMENT_DEPTH;
     if (peel.r < z && z < tight_bound()) {
         composite_fragment();
     }

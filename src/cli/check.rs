@@ -58,6 +58,8 @@ struct Verdict<'a> {
     pixels_over: usize,
     pixels: usize,
     worst_pixel: Option<[u32; 2]>,
+    hanging_pixels: usize,
+    hanging_pixels_over: usize,
 }
 
 impl Check {
@@ -88,6 +90,11 @@ impl Check {
         let comparison = Comparison::new(&image, &exact.image, self.bound)?;
         difference_picture(&image, &exact.image, self.gain)?.save(&self.output)?;
         let passed = comparison.over == 0;
+        let hangs = |pixel: usize| {
+            let hanging = exact.hanging.as_ref();
+            hanging.is_some_and(|hanging| hanging.given[pixel])
+        };
+        let hanging = Comparison::among(&image, &exact.image, self.bound, hangs)?;
         let verdict = Verdict {
             scene: &scene.name,
             image: self.image.display().to_string(),
@@ -100,6 +107,10 @@ impl Check {
             pixels_over: comparison.over,
             pixels: image.pixels.len(),
             worst_pixel: comparison.worst,
+            hanging_pixels: (0..image.pixels.len())
+                .filter(|&pixel| hangs(pixel))
+                .count(),
+            hanging_pixels_over: hanging.over,
         };
         if self.json {
             print_json(&verdict)?;
@@ -161,8 +172,19 @@ impl fmt::Display for Verdict<'_> {
         let Self {
             pixels_over,
             pixels,
+            hanging_pixels,
+            hanging_pixels_over,
             ..
         } = self;
-        write!(f, "{:<16} {pixels_over} of {pixels}", "pixels over it")
+        write!(f, "{:<16} {pixels_over} of {pixels}", "pixels over it")?;
+        if *hanging_pixels == 0 {
+            return Ok(());
+        }
+        write!(
+            f,
+            "\n{:<16} {hanging_pixels_over} of them: {hanging_pixels} pixels hang on a difference of depth that a depth \
+             buffer between the scene's near and far plane cannot hold",
+            "hang on depth"
+        )
     }
 }

@@ -4,13 +4,12 @@ use std::process::ExitCode;
 
 use clap::Args;
 use comfy_table::{CellAlignment, Table, presets};
-use onionskin::image::Comparison;
 use onionskin::methods::{Frame, registry};
 use onionskin::{Context, Method, Result};
 
 use super::output::{print_json, say};
 use super::progress::Progress;
-use super::record::Record;
+use super::record::{Errors, Record};
 use super::render::loss;
 use super::setup::Setup;
 use super::slices::Slices;
@@ -23,7 +22,8 @@ pub(super) const FRAMES: usize = 5;
 /// Iterations are rounds of the method's loop; passes, how often the transparent geometry was drawn; lost
 /// fragments belong into the image and are not in it. Memory is what the method allocates on the GPU besides the
 /// geometry. Times are milliseconds a frame: medians of several frames after a warm-up, readback left out; they compare
-/// within one run only. Errors are differences of a channel from the exact image, 0 to 1.
+/// within one run only. Errors are differences of a channel from the exact image, 0 to 1, in all pixels but those that hang
+/// on a difference of depth that the depth buffer cannot hold; these are counted below the table.
 ///
 /// Of methods with fragment lists a second table has the bytes of the lists in the largest band, how many records were
 /// read from them, how often all pixels' lists were walked, how often the one that was walked most, and how many elements
@@ -70,7 +70,7 @@ impl Compare {
         for method in methods {
             progress.next(&method.to_string());
             let frame = renderer.measure(&scene, &method, FRAMES)?;
-            let error = Comparison::new(&frame.image, &exact.image, 0.0)?;
+            let error = Errors::new(&frame, &exact)?;
             progress.part_done();
             results.push((frame, error));
         }
@@ -85,6 +85,9 @@ impl Compare {
                 "{} fragments in {} x {} pixels",
                 exact.stats.fragments, scene.size[0], scene.size[1]
             ))?;
+            if let Some(hanging) = hanging(&results) {
+                say(hanging)?;
+            }
             if let Some(lists) = table_of_lists(&results) {
                 say(format_args!("\n{lists}"))?;
             }
@@ -118,7 +121,22 @@ fn runs_here(method: &Method, context: &Context) -> bool {
     runs
 }
 
-fn table(results: &[(Frame, Comparison)]) -> Table {
+/// How many pixels the errors leave out, and how wrong they are.
+fn hanging(results: &[(Frame, Errors)]) -> Option<String> {
+    let pixels = results.first()?.1.hanging_pixels;
+    let worst = results
+        .iter()
+        .map(|(_, errors)| errors.hanging.max)
+        .fold(0.0, f64::max);
+    (pixels > 0).then(|| {
+        format!(
+            "{pixels} pixels hang on a difference of depth that the depth buffer cannot hold: left out of the errors, off by \
+             {worst:.2e} at most"
+        )
+    })
+}
+
+fn table(results: &[(Frame, Errors)]) -> Table {
     let mut table = empty_table(&[
         "method",
         "iterations",
@@ -139,15 +157,15 @@ fn table(results: &[(Frame, Comparison)]) -> Table {
                 .map_or_else(|| "not counted".into(), |lost| lost.to_string()),
             mebibytes(stats.bytes),
             format!("{:.1}", stats.ms),
-            format!("{:.2e}", error.max),
-            format!("{:.2e}", error.rms),
+            format!("{:.2e}", error.real.max),
+            format!("{:.2e}", error.real.rms),
         ]);
     }
     numbers_to_the_right(table)
 }
 
 /// What the fragment lists have cost the methods that have any.
-fn table_of_lists(results: &[(Frame, Comparison)]) -> Option<Table> {
+fn table_of_lists(results: &[(Frame, Errors)]) -> Option<Table> {
     let mut table = empty_table(&[
         "fragment lists",
         "bands",

@@ -1,7 +1,8 @@
 //! What `render --json` and `compare --json` say of a frame.
 
+use onionskin::Result;
 use onionskin::image::Comparison;
-use onionskin::methods::{ABufferCounts, Stats};
+use onionskin::methods::{ABufferCounts, Frame, Stats};
 use serde::Serialize;
 
 /// One result. The names are part of the command line's face.
@@ -24,6 +25,31 @@ pub(super) struct Record<'a> {
     ms: f64,
     max_error: f64,
     rms_error: f64,
+    hanging_pixels: usize,
+    hanging_max_error: f64,
+}
+
+/// How far a method's image is from the exact one: where it is wrong, and apart from that in the pixels that hang on a
+/// difference of depth that the depth buffer cannot hold.
+pub(super) struct Errors {
+    pub(super) real: Comparison,
+    pub(super) hanging: Comparison,
+    pub(super) hanging_pixels: usize,
+}
+
+impl Errors {
+    pub(super) fn new(frame: &Frame, exact: &Frame) -> Result<Self> {
+        let hangs = |pixel: usize| {
+            let hanging = exact.hanging.as_ref();
+            hanging.is_some_and(|hanging| hanging.drawn[pixel])
+        };
+        let pixels = exact.image.pixels.len();
+        Ok(Self {
+            real: Comparison::among(&frame.image, &exact.image, 0.0, |pixel| !hangs(pixel))?,
+            hanging: Comparison::among(&frame.image, &exact.image, 0.0, hangs)?,
+            hanging_pixels: (0..pixels).filter(|&pixel| hangs(pixel)).count(),
+        })
+    }
 }
 
 /// What only an A-buffer has.
@@ -55,7 +81,7 @@ impl Lists {
 }
 
 impl<'a> Record<'a> {
-    pub(super) fn new(scene: &'a str, stats: &'a Stats, error: &Comparison) -> Self {
+    pub(super) fn new(scene: &'a str, stats: &'a Stats, error: &Errors) -> Self {
         Self {
             scene,
             method: &stats.method,
@@ -70,8 +96,10 @@ impl<'a> Record<'a> {
             slices: stats.slices,
             a_buffer: stats.a_buffer.as_ref().map(Lists::new),
             ms: stats.ms,
-            max_error: error.max,
-            rms_error: error.rms,
+            max_error: error.real.max,
+            rms_error: error.real.rms,
+            hanging_pixels: error.hanging_pixels,
+            hanging_max_error: error.hanging.max,
         }
     }
 }

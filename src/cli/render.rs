@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::Args;
-use onionskin::image::{Comparison, FileKind, check_writable};
+use onionskin::image::{FileKind, check_writable};
 use onionskin::methods::{Frame, Stats, registry};
 use onionskin::{Method, Result};
 
@@ -13,7 +13,7 @@ use super::encoding::EncodingOption;
 use super::method_options::MethodOptions;
 use super::output::{print_json, say};
 use super::progress::Progress;
-use super::record::Record;
+use super::record::{Errors, Record};
 use super::setup::{SCENE_FILES, Setup};
 
 /// Render a scene by one method
@@ -67,7 +67,7 @@ impl Render {
         };
         let error = if self.json {
             let exact = renderer.render(&scene, &Method::Exact)?;
-            Some(Comparison::new(&frame.image, &exact.image, 0.0)?)
+            Some(Errors::new(&frame, &exact)?)
         } else {
             None
         };

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 use onionskin::gl::{Backend, ContextOptions, Format};
+use onionskin::oracle::DepthBuffer;
 use onionskin::scene::Animation;
 use onionskin::{Context, Error, Renderer, Result, Scene};
 
@@ -67,6 +68,12 @@ pub(super) struct Setup {
     /// How depths are stored
     #[arg(long, value_enum, default_value_t = Depth::D32f, help_heading = RENDERING)]
     depth: Depth,
+    /// Between which clip planes depths are stored
+    #[arg(long, value_enum, default_value_t = Planes::Fitted, help_heading = RENDERING)]
+    planes: Planes,
+    /// Test, store and compare 1/w instead of window-space depth: exact to a part of the distance, but slower
+    #[arg(long, help_heading = RENDERING)]
+    inverse_w: bool,
     #[command(flatten)]
     pub(super) gl: Gl,
 }
@@ -94,6 +101,14 @@ enum Depth {
     D24,
     /// 32-bit float
     D32f,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Planes {
+    /// Close around what there is to see between the scene's: nothing more is cut off
+    Fitted,
+    /// The scene's near and far plane as they are
+    Given,
 }
 
 impl Gl {
@@ -146,7 +161,52 @@ impl Setup {
             Depth::D24 => Format::Depth24Stencil8,
             Depth::D32f => Format::Depth32FStencil8,
         };
-        Ok(Renderer::new(context, scene.size[0], scene.size[1])?.with_formats(color, depth))
+        if let Some(waste) = waste(scene) {
+            eprintln!("note: {waste}{}", self.planes.answer(scene));
+        }
+        let renderer = Renderer::new(context, scene.size[0], scene.size[1])?;
+        let renderer = renderer.with_formats(color, depth);
+        let renderer = match self.planes {
+            Planes::Fitted => renderer,
+            Planes::Given => renderer.with_given_planes(),
+        };
+        Ok(match self.inverse_w {
+            true => renderer.with_inverse_w(),
+            false => renderer,
+        })
+    }
+}
+
+/// What the scene's near and far plane lose, if they waste most of what a depth buffer holds.
+fn waste(scene: &Scene) -> Option<String> {
+    /// Planes that lose less are as good as any that a person writes down.
+    const WORTH_SAYING: f64 = 16.0;
+    let bounds = scene.bounds()?;
+    let (given, fitted) = (scene.camera, scene.camera.close_around(bounds));
+    let [given_resolution, fitted_resolution] = [given, fitted]
+        .map(|camera| DepthBuffer::float(&camera, scene.size).resolution(fitted.far));
+    (given_resolution > WORTH_SAYING * fitted_resolution).then(|| {
+        format!(
+            "between near = {} and far = {} a 32-bit depth buffer tells surfaces at {:.3e} apart that are {:.1e} from each \
+             other, between planes close around the scene {:.1e}; ",
+            given.near, given.far, fitted.far, given_resolution, fitted_resolution
+        )
+    })
+}
+
+impl Planes {
+    fn answer(self, scene: &Scene) -> String {
+        let Some(bounds) = scene.bounds() else {
+            return String::new();
+        };
+        let fitted = scene.camera.close_around(bounds);
+        match self {
+            Self::Fitted => format!(
+                "methods draw between {:.6} and {:.6}, which cuts nothing off (--planes given draws between the scene's)",
+                fitted.near, fitted.far
+            ),
+            Self::Given => "methods draw between the scene's, as asked for".into(),
+        }
     }
 }
 

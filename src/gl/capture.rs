@@ -1,4 +1,4 @@
-//! Every fragment of the transparent objects, read back: what the oracle sorts.
+//! Every fragment, read back: what the oracle sorts.
 //!
 //! The list is made with one atomic counter, in whatever order the fragments come; each record carries its pixel and
 //! its triangle's place in the order of submission, so that the order in which they came does not matter.
@@ -40,17 +40,51 @@ pub fn capture(
     opaque_depth: Map,
     limit: u32,
 ) -> Result<Vec<CapturedFragment>> {
+    let mut fragments = Vec::new();
+    let what = Captured {
+        objects: Objects::Transparent,
+        depth: opaque_depth,
+        passes: Compare::Less,
+    };
+    capture_in_pieces(machine, &what, limit, |_, piece| {
+        fragments.extend_from_slice(piece);
+        Ok(())
+    })?;
+    Ok(fragments)
+}
+
+/// What is captured.
+pub struct Captured {
+    /// Which objects are drawn.
+    pub objects: Objects,
+    /// What they are tested against, unchanged.
+    pub depth: Map,
+    /// The test.
+    pub passes: Compare,
+}
+
+/// Captures fragments in pieces of the image, which are given to `take` one after the other with what they have. Each
+/// pixel is in one piece. A piece has at most `limit` fragments.
+///
+/// # Errors
+/// If the driver has no room, a single pixel has more fragments than the limit, or `take` answers with an error.
+pub fn capture_in_pieces(
+    machine: &mut GlMachine<'_>,
+    what: &Captured,
+    limit: u32,
+    mut take: impl FnMut(Piece, &[CapturedFragment]) -> Result<()>,
+) -> Result<()> {
     let context = machine.context();
     let room = room(
         context.driver().limit("GL_MAX_SHADER_STORAGE_BLOCK_SIZE"),
         limit,
     );
     // A depth attachment also keeps clear of the trap that `Trap` describes.
-    machine.target(TARGET, None, Some(opaque_depth))?;
-    for call in BEFORE {
+    machine.target(TARGET, None, Some(what.depth))?;
+    for call in before(what.passes) {
         machine.perform(&call)?;
     }
-    let mut fragments = Vec::new();
+    let objects = what.objects;
     let [width, height] = machine.size();
     let mut pieces = vec![Piece {
         x: 0,
@@ -58,17 +92,17 @@ pub fn capture(
         width,
         height,
     }];
+    let mut fragments = Vec::new();
     while let Some(piece) = pieces.pop() {
         piece.scissor(context.glow());
-        match count(machine)? {
-            0 => {}
+        match count(machine, objects)? {
+            0 => take(piece, &[])?,
             count if count <= u64::from(room) => {
                 let list = List::new(context, count as u32)?;
                 machine.perform(&Call::UseProgram { program: CAPTURE })?;
-                machine.perform(&Call::Draw {
-                    objects: Objects::Transparent,
-                })?;
-                list.append_to(&mut fragments)?;
+                machine.perform(&Call::Draw { objects })?;
+                list.read(&mut fragments)?;
+                take(piece, &fragments)?;
             }
             count => pieces.extend(piece.halves().ok_or_else(|| Error::Driver {
                 what: format!("the pixel {}, {} has {count} fragments", piece.x, piece.y),
@@ -79,7 +113,7 @@ pub fn capture(
     // SAFETY: the context is current.
     unsafe { context.glow().disable(glow::SCISSOR_TEST) };
     machine.perform(&Call::DepthMask { flag: true })?;
-    Ok(fragments)
+    Ok(())
 }
 
 const CAPTURE: Shader = Shader("capture");
@@ -87,15 +121,15 @@ const SURFACE: Shader = Shader("surface");
 const CAPTURED: Query = Query("captured");
 const TARGET: Target = Target("capture");
 
-const BEFORE: [Call; 3] = [
-    Call::Enable {
-        cap: Capability::DepthTest,
-    },
-    Call::DepthFunc {
-        func: Compare::Less,
-    },
-    Call::DepthMask { flag: false },
-];
+fn before(passes: Compare) -> [Call; 3] {
+    [
+        Call::Enable {
+            cap: Capability::DepthTest,
+        },
+        Call::DepthFunc { func: passes },
+        Call::DepthMask { flag: false },
+    ]
+}
 
 /// How many fragments one buffer holds.
 fn room(largest_buffer: i64, limit: u32) -> u32 {
@@ -108,23 +142,25 @@ fn room(largest_buffer: i64, limit: u32) -> u32 {
 }
 
 /// How many fragments the current piece has.
-fn count(machine: &mut GlMachine<'_>) -> Result<u64> {
+fn count(machine: &mut GlMachine<'_>, objects: Objects) -> Result<u64> {
     machine.perform(&Call::UseProgram { program: SURFACE })?;
     machine.perform(&Call::BeginQuery { query: CAPTURED })?;
-    machine.perform(&Call::Draw {
-        objects: Objects::Transparent,
-    })?;
+    machine.perform(&Call::Draw { objects })?;
     machine.perform(&Call::EndQuery { query: CAPTURED })?;
     machine.samples(CAPTURED)
 }
 
-/// A rectangle of the image.
-#[derive(Clone, Copy)]
-struct Piece {
-    x: u32,
-    y: u32,
-    width: u32,
-    height: u32,
+/// A rectangle of the image, in pixels.
+#[derive(Clone, Copy, Debug)]
+pub struct Piece {
+    /// The first column, from the left.
+    pub x: u32,
+    /// The first row, from the bottom.
+    pub y: u32,
+    /// How many columns.
+    pub width: u32,
+    /// How many rows.
+    pub height: u32,
 }
 
 impl Piece {
@@ -215,11 +251,12 @@ impl<'c> List<'c> {
         }
     }
 
-    fn append_to(&self, fragments: &mut Vec<CapturedFragment>) -> Result<()> {
+    /// Waits for the list and reads it.
+    fn read(&self, fragments: &mut Vec<CapturedFragment>) -> Result<()> {
         let gl = self.context.glow();
         let mut counted = 0_u32;
-        let start = fragments.len();
-        fragments.resize(start + self.expected as usize, CapturedFragment::zeroed());
+        fragments.clear();
+        fragments.resize(self.expected as usize, CapturedFragment::zeroed());
         // SAFETY: the shader's writes are waited for, and both reads stay within their buffers.
         unsafe {
             gl.memory_barrier(glow::BUFFER_UPDATE_BARRIER_BIT);
@@ -230,7 +267,7 @@ impl<'c> List<'c> {
                 bytemuck::bytes_of_mut(&mut counted),
             );
             gl.bind_buffer(glow::SHADER_STORAGE_BUFFER, Some(self.list));
-            let list = bytemuck::cast_slice_mut(&mut fragments[start..]);
+            let list = bytemuck::cast_slice_mut(fragments);
             gl.get_buffer_sub_data(glow::SHADER_STORAGE_BUFFER, 0, list);
         }
         if counted == self.expected {

@@ -56,7 +56,7 @@ impl Machine for GlMachine<'_> {
 impl GlMachine<'_> {
     fn use_program(&mut self, shader: Shader, size: Option<(&'static str, u32)>) -> Result<()> {
         let gl = self.context.glow();
-        let key = ProgramKey::new(shader, &self.constants, size, self.slices);
+        let key = ProgramKey::new(shader, &self.constants, size, self.slices, self.inverse_w);
         if let Entry::Vacant(place) = self.programs.entry(key.clone()) {
             let linked = Linked::new(gl, place.key())?;
             place.insert(linked);

@@ -29,6 +29,8 @@ pub struct GlMachine<'c> {
     pub(super) programs: HashMap<ProgramKey, Linked>,
     /// What the programs of an A-buffer are compiled with.
     pub(super) constants: Vec<(&'static str, u32)>,
+    /// The near plane's distance, as the bits of a float, if depths are 1/w.
+    pub(super) inverse_w: Option<u32>,
     pub(super) queries: HashMap<Query, glow::Query>,
     /// With compare mode, of texture unit 0.
     pub(super) shadow_sampler: glow::Sampler,
@@ -103,6 +105,7 @@ impl<'c> GlMachine<'c> {
             storages: HashMap::new(),
             programs: HashMap::new(),
             constants: Vec::new(),
+            inverse_w: None,
             queries: HashMap::new(),
             shadow_sampler,
             plain_sampler,
@@ -180,6 +183,19 @@ impl<'c> GlMachine<'c> {
     /// source sees as `#define`s.
     pub fn set_constants(&mut self, constants: &[(&'static str, u32)]) {
         self.constants = constants.to_vec();
+    }
+
+    /// Has surfaces tested, stored and compared by 1/w instead of window-space depth from now on, with the near plane at
+    /// this distance; by window-space depth if none is given. What is stored then is explained in
+    /// `glsl/common/fragment_depth.glsl`. It takes depth maps in 32-bit float. Classic calls and the shaders of the
+    /// invariance experiment know nothing of it.
+    pub fn set_inverse_w(&mut self, near: Option<f32>) {
+        self.inverse_w = near.map(f32::to_bits);
+    }
+
+    /// Whether it is so.
+    pub fn has_inverse_w(&self) -> bool {
+        self.inverse_w.is_some()
     }
 
     /// Draws and clears only so many rows from `first` on, counted from the bottom; every row if none is said.

@@ -25,7 +25,7 @@ mod texture;
 mod trap;
 mod volumes;
 
-pub use capture::{CapturedFragment, capture};
+pub use capture::{Captured, CapturedFragment, Piece, capture, capture_in_pieces};
 pub use classic::{ClassicState, FixedFunction};
 pub use context::{Backend, Context, ContextOptions, Profile};
 pub use driver::{Driver, Trap, WANTED_EXTENSIONS};

@@ -89,6 +89,8 @@ pub(super) struct ProgramKey {
     pub(super) constants: Vec<(&'static str, u32)>,
     /// If it draws slices, too, what their part is compiled with besides.
     slices: Option<Constants>,
+    /// The near plane's distance, as the bits of a float, if depths are 1/w: `common/fragment_depth.glsl`.
+    inverse_w: Option<u32>,
 }
 
 impl ProgramKey {
@@ -99,6 +101,7 @@ impl ProgramKey {
         constants: &[(&'static str, u32)],
         more: Option<(&'static str, u32)>,
         slices: Option<Constants>,
+        inverse_w: Option<u32>,
     ) -> Self {
         let constants = if WITH_CONSTANTS
             .iter()
@@ -113,7 +116,14 @@ impl ProgramKey {
             shader,
             constants,
             slices,
+            inverse_w,
         }
+    }
+
+    /// What all of its files are compiled with.
+    fn defines(&self) -> Vec<(&'static str, u32)> {
+        let inverse_w = self.inverse_w.map(|near| ("INVERSE_W", near));
+        self.constants.iter().copied().chain(inverse_w).collect()
     }
 }
 
@@ -169,11 +179,12 @@ impl Linked {
     pub(super) fn new(gl: &glow::Context, key: &ProgramKey) -> Result<Self> {
         let Shader(name) = key.shader;
         let fragment = format!("{name}.frag");
+        let defines = key.defines();
         if ON_THE_SCREEN.contains(&name) {
             return Ok(Self::Screen(Program::link(
                 gl,
                 &["screen.vert", &fragment],
-                &key.constants,
+                &defines,
             )?));
         }
         let vertex = match name.split_once('/') {
@@ -184,10 +195,10 @@ impl Linked {
         let with =
             |surface, constants: &[_]| Program::link(gl, &[vertex, &fragment, surface], constants);
         let slice =
-            |slices: &Constants| with("surface/slice.frag", &[&key.constants[..], slices].concat());
+            |slices: &Constants| with("surface/slice.frag", &[&defines[..], slices].concat());
         Ok(Self::Surface(Surfaces {
-            unlit: with("surface/unlit.frag", &key.constants)?,
-            lit: with("surface/lit.frag", &key.constants)?,
+            unlit: with("surface/unlit.frag", &defines)?,
+            lit: with("surface/lit.frag", &defines)?,
             slice: key.slices.as_ref().map(slice).transpose()?,
         }))
     }

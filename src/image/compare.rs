@@ -30,6 +30,15 @@ impl Comparison {
     /// # Errors
     /// If their sizes differ.
     pub fn new(a: &Image, b: &Image, bound: f64) -> Result<Self> {
+        Self::among(a, b, bound, |_| true)
+    }
+
+    /// Compares the pixels of two pictures that are `among` those that count, by their number, row by row from the top.
+    /// With none of them the pictures do not differ.
+    ///
+    /// # Errors
+    /// If their sizes differ.
+    pub fn among(a: &Image, b: &Image, bound: f64, among: impl Fn(usize) -> bool) -> Result<Self> {
         if (a.width, a.height) != (b.width, b.height) {
             return Err(Error::usage(
                 format!(
@@ -42,7 +51,8 @@ impl Comparison {
         let (mut sum, mut squares) = (0.0, 0.0);
         let mut worst = (0.0, None);
         let mut pixels = Vec::with_capacity(a.pixels.len());
-        for (index, (&a_pixel, &b_pixel)) in a.pixels.iter().zip(&b.pixels).enumerate() {
+        let pairs = a.pixels.iter().zip(&b.pixels).enumerate();
+        for (index, (&a_pixel, &b_pixel)) in pairs.filter(|(index, _)| among(*index)) {
             let channels = differences(a_pixel, b_pixel);
             sum += channels.iter().sum::<f64>();
             squares += channels.iter().map(|d| d * d).sum::<f64>();
@@ -191,6 +201,18 @@ mod tests {
         values[11] = 1.0;
         let comparison = Comparison::new(&image(&values), &image(&[0.0; 200]), 0.0).unwrap();
         assert_eq!(comparison.percentile_99, 1.0);
+    }
+
+    #[test]
+    fn what_does_not_count_makes_no_difference() {
+        let (a, b) = (image(&[0.0, 0.5, 1.0]), image(&[0.0, 0.75, 0.0]));
+        let comparison = Comparison::among(&a, &b, 0.2, |pixel| pixel < 2).unwrap();
+        assert_eq!((comparison.max, comparison.over), (0.25, 1));
+        let none = Comparison::among(&a, &b, 0.2, |_| false).unwrap();
+        assert_eq!(
+            (none.max, none.mean, none.over, none.worst),
+            (0.0, 0.0, 0, None)
+        );
     }
 
     #[test]

@@ -69,7 +69,9 @@ pub fn shown(context: &Context, scene: &Scene, method: &Method, depth: Format) -
     let most = submitted.iter().copied().max().unwrap_or(0).max(1);
     let alpha = 1.0 / (most + 1) as f32;
     let [width, height] = scene.size;
-    let mut renderer = Renderer::new(context, width, height)?.with_formats(Format::Rgba32F, depth);
+    let renderer = Renderer::new(context, width, height)?.with_formats(Format::Rgba32F, depth);
+    // What depths are held between is part of what is studied.
+    let mut renderer = renderer.with_given_planes();
     let image = renderer.render(&painted(scene, alpha), method)?.image;
     let through_one = f64::from(1.0 - alpha).ln();
     let count = |light: f32| (f64::from(light).max(f64::MIN_POSITIVE).ln() / through_one).round();

@@ -1,28 +1,35 @@
-//! The exact image: every fragment read back, sorted and composited by the [oracle](crate::oracle) in f64.
+//! The exact image: every fragment read back, found on its pixel's ray, sorted and composited by the
+//! [oracle](crate::oracle) in f64.
 //!
-//! Volumes are sampled between the fragments, on the ray through each pixel's centre; they take no part in the
-//! rasterisation.
-//!
-//! The rasteriser is the driver's, so that an image can be compared pixel by pixel; everything after it is not.
+//! Which triangles cover a pixel, and their colours there, are the driver's, so that an image can be compared pixel by
+//! pixel. Everything after it is not: how far away they are, which is in front, what is coplanar, what an opaque surface
+//! hides. Volumes are sampled between the surfaces and take no part in the rasterisation.
 
 use std::thread;
 
-use super::renderer::IMAGE;
-use super::{Algorithm, Drawn};
+use super::{Algorithm, Drawn, Hanging};
 use crate::error::Result;
-use crate::fragment::{Fragment, Rgba};
-use crate::gl::{CapturedFragment, GlMachine, capture};
+use crate::gl::{Captured, CapturedFragment, GlMachine, Piece, capture_in_pieces};
 use crate::image::Image;
-use crate::oracle;
+use crate::oracle::DepthBuffer;
+use crate::oracle::pixel::{Covering, Visible, hangs, sorted};
+use crate::oracle::surfaces::Surfaces;
 use crate::oracle::volumes::Ray;
-use crate::papers::vtk::{OPAQUE_DEPTH, OPAQUE_FIRST};
+use crate::papers::vtk::OPAQUE_DEPTH;
 use crate::scene::Scene;
-use crate::steps::{Variables, run};
+use crate::steps::{Compare, Objects};
 
-/// Fragments in GL's memory at a time: 64 MiB of them.
+/// Fragments in memory at a time: 64 MiB of them.
 const AT_A_TIME: u32 = 2 << 20;
 
-pub(super) struct Exact;
+/// What a pixel's channel may be off by that hangs on nothing: what methods in 32-bit float are held to.
+const BOUND: f64 = 1e-5;
+
+pub(super) struct Exact {
+    /// The depth buffer of the other methods, and the same between the clip planes that the scene's camera was given.
+    pub(super) drawn: DepthBuffer,
+    pub(super) given: DepthBuffer,
+}
 
 impl Algorithm for Exact {
     fn prepare(&mut self, _: &mut GlMachine<'_>, _: &Scene) -> Result<()> {
@@ -30,77 +37,149 @@ impl Algorithm for Exact {
     }
 
     fn draw(&mut self, machine: &mut GlMachine<'_>, scene: &Scene) -> Result<Drawn> {
-        run(&OPAQUE_FIRST, &[], Variables::new(), machine)?;
-        let fragments = capture(machine, OPAQUE_DEPTH, AT_A_TIME)?;
         let size = machine.size();
-        let image = composite(
-            scene,
-            size,
-            &machine.read_colors(IMAGE)?,
-            &machine.read_depths(OPAQUE_DEPTH)?,
-            &fragments,
-        );
+        let surfaces = Surfaces::of(scene, size);
+        let mut canvas = Canvas::of(size);
+        let everything = Captured {
+            objects: Objects::Scene,
+            depth: OPAQUE_DEPTH,
+            passes: Compare::Always,
+        };
+        capture_in_pieces(machine, &everything, AT_A_TIME, |piece, fragments| {
+            let lists = Lists::of(piece, fragments);
+            let pixel = |number: usize| self.pixel(scene, size, &surfaces, &lists, number);
+            canvas.add(piece, &every(lists.ranges.len(), pixel));
+            Ok(())
+        })?;
         Ok(Drawn {
             iterations: 1,
-            image: Some(image),
+            image: Some(Image::from_bottom_up(size[0], size[1], &canvas.colors)),
+            hanging: Some(canvas.hanging),
             ..Drawn::default()
         })
     }
 }
 
-/// Gives each pixel to the oracle. All of `opaque_colors` and `opaque_depths` are bottom row first, as captured
-/// fragments count their rows.
-fn composite(
-    scene: &Scene,
-    [width, height]: [u32; 2],
-    opaque_colors: &[[f32; 4]],
-    opaque_depths: &[f32],
-    fragments: &[CapturedFragment],
-) -> Image {
-    let pixel_of =
-        |fragment: &CapturedFragment| fragment.y as usize * width as usize + fragment.x as usize;
-    // A counting sort by pixel: where each pixel's fragments end, then the fragments at their places.
-    let mut ends = vec![0_usize; opaque_depths.len()];
-    fragments
-        .iter()
-        .for_each(|fragment| ends[pixel_of(fragment)] += 1);
-    let mut sum = 0;
-    for end in &mut ends {
-        let count = *end;
-        *end = sum;
-        sum += count;
+/// A pixel's colour, and whether it hangs on what the depth buffer as drawn and as given cannot hold.
+type Pixel = ([f32; 4], [bool; 2]);
+
+impl Exact {
+    /// Gives one pixel of a piece to the oracle.
+    fn pixel(
+        &self,
+        scene: &Scene,
+        size: [u32; 2],
+        surfaces: &Surfaces<'_>,
+        lists: &Lists,
+        number: usize,
+    ) -> Pixel {
+        let place = lists.place(number);
+        let list = sorted(surfaces, place, lists.list(number));
+        let ray = Ray::through(&scene.camera, size, place);
+        let color = Visible::of(&list).composite(scene.background, &ray, &scene.volumes);
+        let hang = |buffer| hangs(surfaces, &list, buffer, BOUND);
+        (
+            color.map(|channel| channel as f32),
+            [&self.drawn, &self.given].map(hang),
+        )
     }
-    let nothing = Fragment {
-        depth: 0.0,
-        color: Rgba::default(),
-        order: 0,
-    };
-    let mut by_pixel = vec![nothing; fragments.len()];
-    for captured in fragments {
-        let place = &mut ends[pixel_of(captured)];
-        by_pixel[*place] = Fragment {
-            depth: captured.depth,
-            color: captured.color,
-            order: captured.order,
+}
+
+/// The fragments of a piece of the image, pixel by pixel.
+struct Lists {
+    piece: Piece,
+    ranges: Vec<[usize; 2]>,
+    fragments: Vec<Covering>,
+}
+
+impl Lists {
+    /// A counting sort by pixel: where each pixel's fragments end, then the fragments at their places.
+    fn of(piece: Piece, captured: &[CapturedFragment]) -> Self {
+        let width = piece.width as usize;
+        let pixel_of = |fragment: &CapturedFragment| {
+            (fragment.y - piece.y) as usize * width + (fragment.x - piece.x) as usize
         };
-        *place += 1;
+        let mut ends = vec![0_usize; width * piece.height as usize];
+        captured
+            .iter()
+            .for_each(|fragment| ends[pixel_of(fragment)] += 1);
+        let mut sum = 0;
+        for end in &mut ends {
+            let count = *end;
+            *end = sum;
+            sum += count;
+        }
+        let nothing = Covering {
+            triangle: 0,
+            depth: 0.0,
+            color: Default::default(),
+        };
+        let mut fragments = vec![nothing; captured.len()];
+        for fragment in captured {
+            let place = &mut ends[pixel_of(fragment)];
+            fragments[*place] = Covering {
+                triangle: fragment.order,
+                depth: fragment.depth,
+                color: fragment.color,
+            };
+            *place += 1;
+        }
+        let begins = std::iter::once(0).chain(ends.iter().copied());
+        let ranges = begins.zip(ends.iter().copied()).map(|(a, b)| [a, b]);
+        Self {
+            piece,
+            ranges: ranges.collect(),
+            fragments,
+        }
     }
-    let begins = std::iter::once(0).chain(ends.iter().copied());
-    let ranges: Vec<_> = begins.zip(ends.iter().copied()).collect();
-    let color_of = |pixel: usize| {
-        let (begin, end) = ranges[pixel];
-        let mut list = by_pixel[begin..end].to_vec();
-        let (depth, background) = (opaque_depths[pixel], opaque_colors[pixel].into());
-        let color = if scene.volumes.is_empty() {
-            oracle::composite(&mut list, depth, background)
-        } else {
-            let place = [pixel as u32 % width, pixel as u32 / width];
-            let ray = Ray::through(&scene.camera, [width, height], place);
-            oracle::volumes::composite(&mut list, depth, background, &ray, &scene.volumes)
-        };
-        color.map(|channel| channel as f32)
-    };
-    Image::from_bottom_up(width, height, &every(ranges.len(), color_of))
+
+    fn list(&self, number: usize) -> &[Covering] {
+        let [begin, end] = self.ranges[number];
+        &self.fragments[begin..end]
+    }
+
+    /// Column and row in the image, from the lower left.
+    fn place(&self, number: usize) -> [u32; 2] {
+        let number = number as u32;
+        [
+            self.piece.x + number % self.piece.width,
+            self.piece.y + number / self.piece.width,
+        ]
+    }
+}
+
+/// The image so far, bottom row first; what hangs on depths, top row first as images are.
+struct Canvas {
+    size: [u32; 2],
+    colors: Vec<[f32; 4]>,
+    hanging: Hanging,
+}
+
+impl Canvas {
+    fn of(size: [u32; 2]) -> Self {
+        let pixels = size[0] as usize * size[1] as usize;
+        Self {
+            size,
+            colors: vec![[0.0; 4]; pixels],
+            hanging: Hanging {
+                drawn: vec![false; pixels],
+                given: vec![false; pixels],
+            },
+        }
+    }
+
+    fn add(&mut self, piece: Piece, pixels: &[Pixel]) {
+        let [width, height] = self.size.map(|side| side as usize);
+        let rows = pixels.chunks_exact(piece.width as usize);
+        for (row, pixels) in (piece.y as usize..).zip(rows) {
+            for (x, &(color, [drawn, given])) in (piece.x as usize..).zip(pixels) {
+                self.colors[row * width + x] = color;
+                let from_top = (height - 1 - row) * width + x;
+                self.hanging.drawn[from_top] = drawn;
+                self.hanging.given[from_top] = given;
+            }
+        }
+    }
 }
 
 /// A function's results for 0 up to `count`, computed on all processors.

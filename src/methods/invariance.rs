@@ -112,7 +112,9 @@ pub fn try_out(
         ..Default::default()
     });
     let [width, height] = scene.size;
-    let mut renderer = Renderer::new(context, width, height)?.with_formats(Format::Rgba32F, depth);
+    let renderer = Renderer::new(context, width, height)?.with_formats(Format::Rgba32F, depth);
+    // What depths are held between is part of what is studied.
+    let mut renderer = renderer.with_given_planes();
     let frame = renderer.render(scene, &method)?;
     drop(renderer);
     let shown = shown(context, scene, &method, depth)?;

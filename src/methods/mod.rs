@@ -11,9 +11,11 @@ mod depth_peeling;
 mod depth_unit_0;
 mod dual_depth_peeling;
 mod exact;
+mod hanging;
 mod hybrid_layer_peeling;
 mod ideal_coherent_layer_peeling;
 pub mod invariance;
+mod inverse_w;
 mod iteration_bound;
 mod layer_peeling;
 mod painter;
@@ -37,6 +39,7 @@ pub use coplanar_depth_peeling::CoplanarDepthPeelingOptions;
 pub use depth_peeling::{Compositing, DepthPeelingOptions};
 pub use depth_unit_0::{DepthSource, DepthUnit0, Place, Trial};
 pub use dual_depth_peeling::DualDepthPeelingOptions;
+pub use hanging::Hanging;
 pub use ideal_coherent_layer_peeling::{BufferAccess, IdealOptions};
 pub use layer_peeling::LayerPeelingOptions;
 pub use registry::{Entry, Method, registry};
@@ -82,6 +85,8 @@ struct Drawn {
     a_buffer: Option<ABufferCounts>,
     /// The image, if it is not in the map `image`.
     image: Option<Image>,
+    /// Which pixels hang on depths that cannot be told apart, if the method has looked.
+    hanging: Option<Hanging>,
 }
 
 /// Which of the transparent fragments are in the image.

@@ -12,12 +12,15 @@ use super::hybrid_layer_peeling::HybridLayerPeeling;
 use super::ideal_coherent_layer_peeling::IdealCoherentLayerPeeling;
 use super::layer_peeling::LayerPeeling;
 use super::peeled::Peeled;
-use super::{Algorithm, Composited, Drawn, Method, Stats, blend, exact, painter, slicing};
+use super::{
+    Algorithm, Composited, Drawn, Hanging, Method, Stats, blend, exact, inverse_w, painter, slicing,
+};
 use crate::error::Result;
 use crate::gl::{Context, Format, Geometry, GlMachine};
 use crate::image::Image;
+use crate::oracle::DepthBuffer;
 use crate::papers::vtk;
-use crate::scene::Scene;
+use crate::scene::{Camera, Scene};
 use crate::steps;
 use crate::steps::{Call, Dialect, Listing, Machine, Map, Query, Target, Variables, gl::*, run};
 
@@ -39,6 +42,8 @@ pub struct Renderer<'c> {
     depth: Format,
     slices: Option<u32>,
     counts_costs: bool,
+    fits_planes: bool,
+    inverse_w: bool,
 }
 
 /// An image and what there is to say about it.
@@ -48,6 +53,8 @@ pub struct Frame {
     pub image: Image,
     /// The layers, nearest first, if the method keeps them.
     pub layers: Vec<Layer>,
+    /// Which pixels hang on depths that a depth buffer cannot tell apart, if the method is [`Method::Exact`].
+    pub hanging: Option<Hanging>,
     /// The counts, and the time.
     pub stats: Stats,
 }
@@ -67,6 +74,8 @@ struct Shown<'s> {
     scene: Cow<'s, Scene>,
     /// As how many slices its volumes are drawn, if they are.
     slices: Option<u32>,
+    /// The scene's camera as it was given, whatever planes it is drawn with.
+    given: Camera,
 }
 
 /// The map that holds the finished image.
@@ -111,6 +120,8 @@ impl<'c> Renderer<'c> {
             depth: Format::Depth32FStencil8,
             slices: None,
             counts_costs: true,
+            fits_planes: true,
+            inverse_w: false,
         })
     }
 
@@ -143,6 +154,28 @@ impl<'c> Renderer<'c> {
         self
     }
 
+    /// Draws with the near and the far plane of the scene's camera as they are.
+    ///
+    /// Otherwise they are moved together until they are close around what there is to see between them
+    /// ([`Camera::close_around`](crate::scene::Camera::close_around)): nothing more is cut off, and depths are held more
+    /// finely. A near plane at 0.1 and a far plane at 1000 leave a 32-bit depth buffer nothing to tell two panes apart that
+    /// stand 1 cm from each other, 100 away.
+    #[must_use]
+    pub fn with_given_planes(mut self) -> Self {
+        self.fits_planes = false;
+        self
+    }
+
+    /// Has methods test, store and compare 1/w instead of window-space depth, which crowds together far from the near plane.
+    /// It is exact to some 1e-6 of the distance wherever a surface is, and changes no line of a listing: what is stored
+    /// grows with the distance from 0 to 1 ([`GlMachine::set_inverse_w`]). It costs the tests that drivers make before they
+    /// shade.
+    #[must_use]
+    pub fn with_inverse_w(mut self) -> Self {
+        self.inverse_w = true;
+        self
+    }
+
     /// Renders one frame.
     ///
     /// # Errors
@@ -150,7 +183,7 @@ impl<'c> Renderer<'c> {
     pub fn render(&mut self, scene: &Scene, method: &Method) -> Result<Frame> {
         let shown = self.set_up_for(scene, method)?;
         let scene = &*shown.scene;
-        let mut algorithm = self.prepare(scene, method)?;
+        let mut algorithm = self.prepare(&shown, method)?;
         let (mut drawn, ms) = self.draw(scene, algorithm.as_mut())?;
         self.machine
             .aside(|machine| algorithm.account(machine, &mut drawn))?;
@@ -165,7 +198,7 @@ impl<'c> Renderer<'c> {
     pub fn measure(&mut self, scene: &Scene, method: &Method, frames: usize) -> Result<Frame> {
         let shown = self.set_up_for(scene, method)?;
         let scene = &*shown.scene;
-        let mut algorithm = self.prepare(scene, method)?;
+        let mut algorithm = self.prepare(&shown, method)?;
         self.draw(scene, algorithm.as_mut())?;
         let start = Instant::now();
         let (mut drawn, ms) = self.draw(scene, algorithm.as_mut())?;
@@ -205,23 +238,49 @@ impl<'c> Renderer<'c> {
     /// rays.
     fn set_up_for<'s>(&mut self, scene: &'s Scene, method: &Method) -> Result<Shown<'s>> {
         let slices = slicing::slices(scene, method, self.slices)?;
+        if self.inverse_w {
+            inverse_w::check(method, self.depth)?;
+        }
+        let given = scene.camera;
+        let scene = self.with_planes(scene);
         let scene = match slices {
             None => {
-                self.set_up(scene)?;
-                Cow::Borrowed(scene)
+                self.set_up(&scene)?;
+                scene
             }
             Some(count) => {
                 let stack = scene.as_slices(count);
                 self.set_up(&stack.scene)?;
-                self.machine.upload_slices(scene, stack.spacing)?;
+                self.machine.upload_slices(&scene, stack.spacing)?;
                 Cow::Owned(stack.scene)
             }
         };
-        Ok(Shown { scene, slices })
+        let near = scene.camera.near as f32;
+        self.machine.set_inverse_w(self.inverse_w.then_some(near));
+        Ok(Shown {
+            scene,
+            slices,
+            given,
+        })
+    }
+
+    /// The scene, seen between the planes that it is drawn with.
+    fn with_planes<'s>(&self, scene: &'s Scene) -> Cow<'s, Scene> {
+        let camera = match scene.bounds() {
+            Some(bounds) if self.fits_planes => scene.camera.close_around(bounds),
+            _ => scene.camera,
+        };
+        if camera == scene.camera {
+            return Cow::Borrowed(scene);
+        }
+        Cow::Owned(Scene {
+            camera,
+            ..scene.clone()
+        })
     }
 
     /// The scene is set up.
-    fn prepare(&mut self, scene: &Scene, method: &Method) -> Result<Box<dyn Algorithm>> {
+    fn prepare(&mut self, shown: &Shown<'_>, method: &Method) -> Result<Box<dyn Algorithm>> {
         let machine = &mut self.machine;
         let mut algorithm: Box<dyn Algorithm> = match method {
             Method::Blend => Box::new(blend::Blend),
@@ -254,9 +313,15 @@ impl<'c> Renderer<'c> {
             Method::CoplanarDepthPeeling(options) => {
                 Box::new(CoplanarDepthPeeling::new(*options, self.color, self.depth))
             }
-            Method::Exact => Box::new(exact::Exact),
+            Method::Exact => Box::new(exact::Exact {
+                drawn: match self.inverse_w {
+                    true => DepthBuffer::float(&shown.scene.camera, machine.size()).of_inverse_w(),
+                    false => depth_buffer(&shown.scene.camera, machine.size(), self.depth),
+                },
+                given: depth_buffer(&shown.given, machine.size(), self.depth),
+            }),
         };
-        algorithm.prepare(machine, scene)?;
+        algorithm.prepare(machine, &shown.scene)?;
         Ok(algorithm)
     }
 
@@ -324,6 +389,7 @@ impl<'c> Renderer<'c> {
         Ok(Frame {
             image,
             layers,
+            hanging: drawn.hanging,
             stats,
         })
     }
@@ -361,5 +427,14 @@ impl<'c> Renderer<'c> {
         self.begin(scene)?;
         run(&COUNT, fused(scene), Variables::new(), &mut self.machine)?;
         self.machine.samples(FRAGMENTS)
+    }
+}
+
+fn depth_buffer(camera: &Camera, size: [u32; 2], format: Format) -> DepthBuffer {
+    let float = DepthBuffer::float(camera, size);
+    match format {
+        Format::Depth24 | Format::Depth24Stencil8 => float.with_bits(24),
+        Format::Depth16 => float.with_bits(16),
+        _ => float,
     }
 }

@@ -69,7 +69,27 @@ pub fn composite(
 ) -> [f64; 4] {
     fragments.retain(|fragment| fragment.depth < opaque_depth);
     fragments.sort_by(|a, b| a.depth.total_cmp(&b.depth).then(a.order.cmp(&b.order)));
-    let end = ray.distance(opaque_depth);
+    let surfaces = fragments
+        .iter()
+        .map(|fragment| (ray.distance(fragment.depth), fragment.color));
+    composite_between(
+        surfaces,
+        ray.distance(opaque_depth),
+        background,
+        ray,
+        volumes,
+    )
+}
+
+/// The same with surfaces that are sorted, the nearest first, each with its distance, and an opaque background at the
+/// distance `end`.
+pub(super) fn composite_between(
+    surfaces: impl Iterator<Item = (f64, Rgba)>,
+    end: f64,
+    background: Rgba,
+    ray: &Ray,
+    volumes: &[Volume],
+) -> [f64; 4] {
     let crossings: Vec<_> = volumes
         .iter()
         .filter_map(|volume| Crossing::of(ray, end, volume))
@@ -80,7 +100,7 @@ pub fn composite(
     };
     let mut inside = vec![false; crossings.len()];
     let mut at = ray.near;
-    for (distance, event) in events(ray, fragments, &crossings) {
+    for (distance, event) in events(surfaces, &crossings) {
         let occupied = crossings.iter().zip(&inside).filter(|(_, inside)| **inside);
         seen.cast(ray, [at, distance], occupied.map(|(crossing, _)| crossing));
         at = distance;
@@ -105,11 +125,11 @@ enum Event {
 }
 
 /// All that happens, nearest first; surfaces of one depth stay in their order.
-fn events(ray: &Ray, fragments: &[Fragment], crossings: &[Crossing]) -> Vec<(f64, Event)> {
-    let surfaces = fragments.iter().map(|fragment| {
-        let distance = ray.distance(fragment.depth);
-        (distance, Event::Surface(fragment.color))
-    });
+fn events(
+    surfaces: impl Iterator<Item = (f64, Rgba)>,
+    crossings: &[Crossing],
+) -> Vec<(f64, Event)> {
+    let surfaces = surfaces.map(|(distance, color)| (distance, Event::Surface(color)));
     let crossed = crossings.iter().enumerate();
     let proxies = crossed.flat_map(|(i, crossing)| {
         [

@@ -89,10 +89,8 @@ impl PartialCamera {
 
     fn planes(&self, bounds: &Bounds, eye: DVec3, target: DVec3) -> (f64, f64) {
         let direction = (target - eye).normalize_or(DVec3::NEG_Z);
-        let depths = bounds.corners().map(|corner| (corner - eye).dot(direction));
-        let nearest = depths.into_iter().fold(f64::INFINITY, f64::min);
-        let farthest = depths.into_iter().fold(f64::NEG_INFINITY, f64::max);
-        let pad = MARGIN * (farthest - nearest) + MARGIN * farthest.abs();
+        let [nearest, farthest] = depths(bounds, eye, direction);
+        let pad = padding(nearest, farthest);
         let far = if farthest > 0.0 {
             farthest + pad
         } else {
@@ -111,6 +109,39 @@ impl PartialCamera {
             (None, None) => (near, far),
         }
     }
+}
+
+impl Camera {
+    /// The same camera with its near and far plane moved together until they are close around `bounds`: nothing more is
+    /// cut off of what is in them, and a depth buffer holds finer differences. The planes stay where they are if nothing of
+    /// the bounds is between them, and the near one if the eye is among the bounds.
+    #[must_use]
+    pub fn close_around(self, bounds: Bounds) -> Self {
+        let direction = (self.target - self.eye).normalize_or(DVec3::NEG_Z);
+        let [nearest, farthest] = depths(&bounds, self.eye, direction);
+        let pad = padding(nearest, farthest);
+        let near = self.near.max((nearest - pad).max(nearest * 0.5));
+        let far = self.far.min(farthest + pad);
+        if near < far && farthest > self.near {
+            Self { near, far, ..self }
+        } else {
+            self
+        }
+    }
+}
+
+/// The nearest and the farthest that a box reaches along a direction.
+fn depths(bounds: &Bounds, eye: DVec3, direction: DVec3) -> [f64; 2] {
+    let depths = bounds.corners().map(|corner| (corner - eye).dot(direction));
+    [
+        depths.into_iter().fold(f64::INFINITY, f64::min),
+        depths.into_iter().fold(f64::NEG_INFINITY, f64::max),
+    ]
+}
+
+/// How far outside of what they enclose clip planes stand.
+fn padding(nearest: f64, farthest: f64) -> f64 {
+    MARGIN * (farthest - nearest) + MARGIN * farthest.abs()
 }
 
 /// A view's own axes, in the world.

@@ -53,6 +53,7 @@ pub(super) const FILES: &[(&str, &str)] = files! {
     "clip/previous_depth_from_near.frag"
     "common/clip.glsl"
     "common/dual.glsl"
+    "common/fragment_depth.glsl"
     "common/ideal.glsl"
     "common/ideal_pass_1.glsl"
     "common/ideal_surface.glsl"

@@ -189,6 +189,10 @@ impl Algorithm for ABuffer {
     fn draw(&mut self, machine: &mut GlMachine<'_>, scene: &Scene) -> Result<Drawn> {
         run(&vtk::OPAQUE_FIRST, &[], Variables::new(), machine)?;
         let proxies = fused(scene);
+        if machine.has_inverse_w() {
+            // The Fill Step's shaders look it up.
+            run(&paper::OPAQUE_ENDS_RAYS, &[], Variables::new(), machine)?;
+        }
         self.complexity = self.count(machine, proxies)?;
         let width = machine.size()[0];
         let room = self.room(machine, scene);

@@ -1,0 +1,138 @@
+//! What a depth buffer can tell apart.
+
+use crate::scene::Camera;
+
+/// A depth buffer between two clip planes: which window-space depth a distance has, and how far a rasteriser's may be off.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DepthBuffer {
+    near: f64,
+    far: f64,
+    /// The larger side of the image in pixels.
+    size: f64,
+    /// The distance of neighbouring values; 0 for a float format, whose steps are less than what is lost before.
+    step: f64,
+    /// Whether it holds 1/w in 32-bit float instead of window-space depth.
+    inverse_w: bool,
+}
+
+impl DepthBuffer {
+    /// Of a 32-bit float format.
+    pub fn float(camera: &Camera, [width, height]: [u32; 2]) -> Self {
+        Self {
+            near: camera.near,
+            far: camera.far,
+            size: f64::from(width.max(height)),
+            step: 0.0,
+            inverse_w: false,
+        }
+    }
+
+    /// Of a format of so many bits for 0 to 1.
+    #[must_use]
+    pub fn with_bits(self, bits: u32) -> Self {
+        let step = 1.0 / (2.0_f64.powi(bits as i32) - 1.0);
+        Self { step, ..self }
+    }
+
+    /// Of 32-bit floats that hold 1/w, exact to a part of themselves.
+    #[must_use]
+    pub fn of_inverse_w(self) -> Self {
+        Self {
+            inverse_w: true,
+            ..self
+        }
+    }
+
+    /// How far two surfaces across the view direction have to be apart, at a distance from the eye, to be told apart.
+    pub fn resolution(&self, distance: f64) -> f64 {
+        let inverse = 1.0 / distance;
+        2.0 * self.noise(inverse, 0.0) / (self.steepness(inverse) * inverse * inverse)
+    }
+
+    /// A depth at 1 / `inverse` from the eye that grows with the distance: window-space depth, or the logarithm of w, of
+    /// which equal steps are equal parts of w.
+    pub fn depth(&self, inverse: f64) -> f64 {
+        if self.inverse_w {
+            return -(self.near * inverse).ln();
+        }
+        self.far / (self.far - self.near) * (1.0 - self.near * inverse)
+    }
+
+    /// How much the depth changes with `inverse`.
+    fn steepness(&self, inverse: f64) -> f64 {
+        if self.inverse_w {
+            return 1.0 / inverse;
+        }
+        self.far * self.near / (self.far - self.near)
+    }
+
+    /// How far the depth of a surface may be off at 1 / `inverse` whose 1 / distance changes by `slope` from pixel to pixel.
+    ///
+    /// Transform, division and interpolation are some eight roundings of 2^-24, of the depth itself and of places in the
+    /// image, over which the depth changes. The exact image's fragments are held to the same bound.
+    pub fn noise(&self, inverse: f64, slope: f64) -> f64 {
+        let slope = self.steepness(inverse) * slope;
+        8.0 * 2.0_f64.powi(-24) * (1.0 + slope * self.size) + self.step / 2.0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::DVec3;
+
+    fn buffer(near: f64, far: f64) -> DepthBuffer {
+        let camera = Camera {
+            eye: DVec3::ZERO,
+            target: DVec3::NEG_Z,
+            up: DVec3::Y,
+            fov: 40.0,
+            near,
+            far,
+        };
+        DepthBuffer::float(&camera, [64, 48])
+    }
+
+    /// Whether two panes across the view direction can be told apart.
+    fn tells_apart(buffer: &DepthBuffer, near: f64, far: f64) -> bool {
+        buffer.depth(1.0 / far) - buffer.depth(1.0 / near) > 2.0 * buffer.noise(1.0 / far, 0.0)
+    }
+
+    #[test]
+    fn depths_are_0_at_the_near_plane_and_1_at_the_far_plane() {
+        let buffer = buffer(0.1, 1000.0);
+        assert_eq!(buffer.depth(1.0 / 0.1), 0.0);
+        assert_eq!(buffer.depth(1.0 / 1000.0), 1.0 - f64::EPSILON / 2.0);
+    }
+
+    #[test]
+    fn planes_close_around_two_panes_tell_them_apart_and_distant_ones_do_not() {
+        assert!(!tells_apart(&buffer(0.1, 1000.0), 100.0, 100.01));
+        assert!(tells_apart(&buffer(99.0, 101.0), 100.0, 100.01));
+    }
+
+    #[test]
+    fn what_is_twice_the_resolution_apart_is_told_apart_and_half_of_it_is_not() {
+        for buffer in [buffer(0.1, 1000.0), buffer(99.0, 101.0).with_bits(16)] {
+            let resolution = buffer.resolution(100.0);
+            assert!(tells_apart(&buffer, 100.0, 100.0 + 2.0 * resolution));
+            assert!(!tells_apart(&buffer, 100.0, 100.0 + 0.5 * resolution));
+        }
+    }
+
+    #[test]
+    fn inverse_w_tells_apart_what_is_a_millionth_of_its_distance_apart_at_any_distance() {
+        let buffer = buffer(0.1, 1000.0).of_inverse_w();
+        for distance in [0.2, 1.0, 30.0, 900.0] {
+            assert!(tells_apart(&buffer, distance, distance * (1.0 + 2e-6)));
+            assert!(!tells_apart(&buffer, distance, distance * (1.0 + 2e-7)));
+        }
+    }
+
+    #[test]
+    fn sixteen_bits_hold_less_than_a_float() {
+        let float = buffer(1.0, 3.0);
+        assert!(tells_apart(&float, 2.0, 2.00001));
+        assert!(!tells_apart(&float.with_bits(16), 2.0, 2.00001));
+    }
+}
