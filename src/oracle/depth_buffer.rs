@@ -120,6 +120,22 @@ mod tests {
         }
     }
 
+    /// README has these numbers, in metres.
+    #[test]
+    fn a_depth_buffer_tells_apart_centimetres_micrometres_or_tenths_of_millimetres() {
+        let given = buffer(0.1, 1000.0);
+        let buffers = [given, buffer(99.0, 101.0), given.of_inverse_w()];
+        let resolutions = buffers.map(|buffer| buffer.resolution(100.0));
+        let said = [0.095, 1.9e-6, 9.5e-5];
+        for (resolution, said) in resolutions.into_iter().zip(said) {
+            // Two digits are said.
+            assert!(
+                (resolution / said - 1.0).abs() < 0.03,
+                "{resolution} {said}"
+            );
+        }
+    }
+
     #[test]
     fn inverse_w_tells_apart_what_is_a_millionth_of_its_distance_apart_at_any_distance() {
         let buffer = buffer(0.1, 1000.0).of_inverse_w();
