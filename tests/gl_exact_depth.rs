@@ -82,11 +82,9 @@ fn wrong_by(frame: &Frame, scene: &Scene, bound: f64) -> (usize, usize) {
     let mut counts = (0, 0);
     for ((pixel, hits), _) in certain {
         let expected = composited(hits);
-        let off = pixel.to_array().into_iter().zip(expected);
-        let off = off
-            .map(|(a, b)| (f64::from(a) - b).abs())
-            .fold(0.0, f64::max);
-        counts.0 += usize::from(off > bound);
+        let mut channels = pixel.to_array().into_iter().zip(expected);
+        let right = channels.all(|(a, b)| (f64::from(a) - b).abs() <= bound);
+        counts.0 += usize::from(!right);
         counts.1 += 1;
     }
     counts

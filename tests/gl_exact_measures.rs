@@ -119,7 +119,11 @@ fn coarser_colors_are_off_by_their_own_steps_and_a_pixel_s_layers() {
                 // has gathered, the later layers and the background see: 3.5 steps a layer, and 1 for the background.
                 let bound = step * (3.5 * list.len() as f64 + 1.0);
                 let off = a.to_array().into_iter().zip(b.to_array());
-                let off = off.map(|(a, b)| f64::from(a - b).abs()).fold(0.0, f64::max);
+                // Of these an order in which what is not a number is the largest.
+                let off = off
+                    .map(|(a, b)| f64::from(a - b).abs())
+                    .max_by(f64::total_cmp)
+                    .unwrap();
                 assert!(
                     off <= bound,
                     "{format:?}, {compositing:?}: {off} of {bound}"

@@ -58,7 +58,8 @@ impl LockStep<'_, '_> {
     }
 
     fn compare_depths(&mut self, call: &Call, map: Map, format: Format) {
-        let (Ok(gl), Ok(emulated)) = (self.gl.read_depths(map), self.emulator.depths(map)) else {
+        let maps = both(map, self.gl.read_depths(map), self.emulator.depths(map));
+        let Some((gl, emulated)) = maps else {
             return;
         };
         let stencils = self.gl.read_stencils(map).unwrap();
@@ -78,7 +79,8 @@ impl LockStep<'_, '_> {
     }
 
     fn compare_colors(&mut self, call: &Call, map: Map) {
-        let (Ok(gl), Ok(emulated)) = (self.gl.read_colors(map), self.emulator.colors(map)) else {
+        let maps = both(map, self.gl.read_colors(map), self.emulator.colors(map));
+        let Some((gl, emulated)) = maps else {
             return;
         };
         for &pixel in &self.pixels {
@@ -86,7 +88,8 @@ impl LockStep<'_, '_> {
                 .iter()
                 .zip(emulated[pixel])
                 .map(|(a, b)| (a - b).abs());
-            let off = off.fold(0.0, f32::max);
+            // Of these an order in which what is not a number is the largest.
+            let off = off.max_by(f32::total_cmp).unwrap();
             assert!(
                 off <= self.color_bound,
                 "{map} after {call} at pixel {pixel}: OpenGL has {:?}, the emulated pixel {:?}",
@@ -95,6 +98,22 @@ impl LockStep<'_, '_> {
             );
             self.compared += 1;
         }
+    }
+}
+
+/// What both machines hold of a map; `None` before it is made. That one has it and the other does not is an error of either.
+fn both<A, B>(map: Map, gl: Result<A>, emulated: Result<B>) -> Option<(A, B)> {
+    match (gl, emulated) {
+        (Ok(gl), Ok(emulated)) => Some((gl, emulated)),
+        (Err(_), Err(_)) => None,
+        (gl, _) => panic!(
+            "only {} has the map {map}",
+            if gl.is_ok() {
+                "OpenGL"
+            } else {
+                "the emulated pixel"
+            }
+        ),
     }
 }
 

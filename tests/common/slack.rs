@@ -64,7 +64,14 @@ pub fn compare(frame: &Frame, exact: &Frame, scene: &Scene) -> (usize, f64) {
     for ((a, b), slack) in pixels.zip(slack(scene)) {
         let channels = a.to_array().into_iter().zip(b.to_array());
         let off = channels.map(|(a, b)| f64::from((a - b).abs()));
-        worst = worst.max(off.fold(0.0, f64::max) - slack);
+        // A channel that is not a number is off by infinitely much, whatever the slack allows.
+        let off = off.map(|off| if off.is_nan() { f64::INFINITY } else { off });
+        let off = off.fold(0.0, f64::max);
+        worst = worst.max(if off == f64::INFINITY {
+            off
+        } else {
+            off - slack
+        });
         compared += usize::from(slack < f64::INFINITY);
     }
     (compared, worst)
