@@ -278,7 +278,7 @@ impl<'c> GlMachine<'c> {
     /// # Errors
     /// If there is no such map.
     pub fn read_colors(&self, map: Map) -> Result<Vec<[f32; 4]>> {
-        Ok(self.texture(map)?.read_colors(self.context.glow()))
+        Ok(self.texture(map)?.read_colors(self.context))
     }
 
     /// A depth map's depths, bottom row first.
@@ -286,7 +286,7 @@ impl<'c> GlMachine<'c> {
     /// # Errors
     /// If there is no such map.
     pub fn read_depths(&self, map: Map) -> Result<Vec<f32>> {
-        Ok(self.texture(map)?.read_depths(self.context.glow()))
+        Ok(self.texture(map)?.read_depths(self.context))
     }
 
     /// A depth map's stencil values, bottom row first; 0 where its format has none.
@@ -294,7 +294,7 @@ impl<'c> GlMachine<'c> {
     /// # Errors
     /// If there is no such map.
     pub fn read_stencils(&self, map: Map) -> Result<Vec<u8>> {
-        Ok(self.texture(map)?.read_stencils(self.context.glow()))
+        Ok(self.texture(map)?.read_stencils(self.context))
     }
 
     /// An integer map's texels, four numbers each, bottom row first; channels that it does not have are 0, or 1 for the
@@ -303,7 +303,7 @@ impl<'c> GlMachine<'c> {
     /// # Errors
     /// If there is no such map.
     pub fn read_integers(&self, map: Map) -> Result<Vec<[u32; 4]>> {
-        Ok(self.texture(map)?.read_integers(self.context.glow()))
+        Ok(self.texture(map)?.read_integers(self.context))
     }
 
     /// A map's first channel, bottom row first, as whole numbers.
@@ -311,7 +311,7 @@ impl<'c> GlMachine<'c> {
     /// # Errors
     /// If there is no such map.
     pub fn read_counts(&self, map: Map) -> Result<Vec<u32>> {
-        Ok(self.texture(map)?.read_counts(self.context.glow()))
+        Ok(self.texture(map)?.read_counts(self.context))
     }
 
     pub(super) fn texture(&self, map: Map) -> Result<Texture> {

@@ -18,6 +18,7 @@ pub(crate) mod glsl;
 mod interpreter;
 mod machine;
 pub mod network;
+mod pixel_store;
 mod program;
 mod scan;
 mod storage;

@@ -2,6 +2,8 @@
 
 use glow::HasContext;
 
+use super::context::Context;
+use super::pixel_store::PixelStore;
 use crate::error::{Error, Result};
 use crate::steps::Format;
 
@@ -67,10 +69,12 @@ impl Texture {
     }
 
     /// Sets a texture of fixed-point numbers to 0.
-    pub(super) fn clear(&self, gl: &glow::Context) {
+    pub(super) fn clear(&self, context: &Context) {
         let zeros = vec![0_u8; self.bytes() as usize];
         let [width, height] = self.size.map(|side| side as i32);
         let (format, kind) = (glow::RG, glow::UNSIGNED_SHORT);
+        let gl = context.glow();
+        let _tight = PixelStore::own(context);
         // SAFETY: the texture is bound and of format RG16, and there are as many zeros as it has bytes.
         bound(gl, self.raw, || unsafe {
             let zeros = glow::PixelUnpackData::Slice(Some(&zeros));
@@ -89,10 +93,10 @@ impl Texture {
     }
 
     /// A colour texture's texels as floats, bottom row first.
-    pub(super) fn read_colors(&self, gl: &glow::Context) -> Vec<[f32; 4]> {
+    pub(super) fn read_colors(&self, context: &Context) -> Vec<[f32; 4]> {
         let mut texels = vec![[0.0; 4]; (self.size[0] * self.size[1]) as usize];
         self.read(
-            gl,
+            context,
             glow::RGBA,
             glow::FLOAT,
             bytemuck::cast_slice_mut(&mut texels),
@@ -101,10 +105,10 @@ impl Texture {
     }
 
     /// A depth texture's depths, bottom row first.
-    pub(super) fn read_depths(&self, gl: &glow::Context) -> Vec<f32> {
+    pub(super) fn read_depths(&self, context: &Context) -> Vec<f32> {
         let mut texels = vec![0.0; (self.size[0] * self.size[1]) as usize];
         self.read(
-            gl,
+            context,
             glow::DEPTH_COMPONENT,
             glow::FLOAT,
             bytemuck::cast_slice_mut(&mut texels),
@@ -113,52 +117,53 @@ impl Texture {
     }
 
     /// A depth texture's stencil values, bottom row first; 0 where it has none.
-    pub(super) fn read_stencils(&self, gl: &glow::Context) -> Vec<u8> {
+    pub(super) fn read_stencils(&self, context: &Context) -> Vec<u8> {
         let mut texels = vec![0; (self.size[0] * self.size[1]) as usize];
         if self.format.has_stencil() {
-            self.read(gl, glow::STENCIL_INDEX, glow::UNSIGNED_BYTE, &mut texels);
+            self.read(context, glow::STENCIL_INDEX, glow::UNSIGNED_BYTE, &mut texels);
         }
         texels
     }
 
     /// An integer texture's texels, bottom row first.
-    pub(super) fn read_integers(&self, gl: &glow::Context) -> Vec<[u32; 4]> {
+    pub(super) fn read_integers(&self, context: &Context) -> Vec<[u32; 4]> {
         let mut texels = vec![[0; 4]; (self.size[0] * self.size[1]) as usize];
         let into = bytemuck::cast_slice_mut(&mut texels);
-        self.read(gl, glow::RGBA_INTEGER, glow::UNSIGNED_INT, into);
+        self.read(context, glow::RGBA_INTEGER, glow::UNSIGNED_INT, into);
         texels
     }
 
     /// The first channel of a texture that counts, bottom row first.
-    pub(super) fn read_counts(&self, gl: &glow::Context) -> Vec<u32> {
+    pub(super) fn read_counts(&self, context: &Context) -> Vec<u32> {
         let mut counts = vec![0_u32; (self.size[0] * self.size[1]) as usize];
         let into: &mut [u8] = bytemuck::cast_slice_mut(&mut counts);
         match self.format {
             Format::R32F => {
-                self.read(gl, glow::RED, glow::FLOAT, into);
+                self.read(context, glow::RED, glow::FLOAT, into);
                 counts
                     .iter_mut()
                     .for_each(|count| *count = f32::from_bits(*count) as u32);
             }
             Format::Depth32FStencil8 | Format::Depth24Stencil8 => {
-                return self.read_stencils(gl).into_iter().map(u32::from).collect();
+                return self.read_stencils(context).into_iter().map(u32::from).collect();
             }
-            _ => self.read(gl, glow::RED_INTEGER, glow::UNSIGNED_INT, into),
+            _ => self.read(context, glow::RED_INTEGER, glow::UNSIGNED_INT, into),
         }
         counts
     }
 
-    fn read(&self, gl: &glow::Context, format: u32, kind: u32, into: &mut [u8]) {
-        // SAFETY: the texture is bound, and `into` holds one texel of `format` and `kind` for each of its.
+    fn read(&self, context: &Context, format: u32, kind: u32, into: &mut [u8]) {
+        let gl = context.glow();
+        let _tight = PixelStore::own(context);
+        // SAFETY: the texture is bound, and `into` holds one texel of `format` and `kind` for each of its, tightly packed.
         bound(gl, self.raw, || unsafe {
-            gl.pixel_store_i32(glow::PACK_ALIGNMENT, 1);
             let into = glow::PixelPackData::Slice(Some(into));
             gl.get_tex_image(glow::TEXTURE_2D, 0, format, kind, into);
         });
     }
 }
 
-impl super::context::Context {
+impl Context {
     /// Bits of alpha per texel, as the driver counts them.
     ///
     /// # Errors
@@ -179,13 +184,14 @@ impl super::context::Context {
 /// Does something with a texture bound, on a texture unit that no listing uses, so that a listing's bindings stay.
 fn bound<T>(gl: &glow::Context, texture: glow::Texture, work: impl FnOnce() -> T) -> T {
     const UNIT: u32 = glow::TEXTURE15;
-    // SAFETY: the context is current; OpenGL 4.3 has at least 80 texture units; the active one is put back.
+    // SAFETY: the context is current; OpenGL 4.3 has at least 80 texture units; the active one and its texture are put back.
     unsafe {
         let active = gl.get_parameter_i32(glow::ACTIVE_TEXTURE) as u32;
         gl.active_texture(UNIT);
+        let before = gl.get_parameter_texture(glow::TEXTURE_BINDING_2D);
         gl.bind_texture(glow::TEXTURE_2D, Some(texture));
         let result = work();
-        gl.bind_texture(glow::TEXTURE_2D, None);
+        gl.bind_texture(glow::TEXTURE_2D, before);
         gl.active_texture(active);
         result
     }

@@ -5,6 +5,7 @@ use glow::HasContext;
 
 use super::context::Context;
 use super::machine::GlMachine;
+use super::pixel_store::PixelStore;
 use super::storage::Texels;
 use crate::error::{Error, Result};
 use crate::scene::{Scene, TransferPoint, Volume};
@@ -153,6 +154,7 @@ impl VolumeTextures<'_> {
         }
         let [width, height, depth] = dims.map(|side| side as i32);
         let gl = self.context.glow();
+        let _tight = PixelStore::own(self.context);
         // SAFETY: the context is current, and there are as many samples as the texture has texels.
         let error = unsafe {
             let raw = gl.create_texture().map_err(no_room)?;

@@ -259,7 +259,7 @@ impl GlMachine<'_> {
             return Ok(texture);
         }
         let texture = Texture::new(self.context.glow(), Format::Rg16, [1, 1])?;
-        texture.clear(self.context.glow());
+        texture.clear(self.context);
         self.classic.hilo = Some(texture);
         Ok(texture)
     }
