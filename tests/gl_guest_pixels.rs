@@ -111,8 +111,7 @@ impl<'c> Host<'c> {
                     .iter()
                     .map(|(name, _)| self.gl.get_parameter_i32(*name))
                     .collect(),
-                buffers: BINDINGS
-                    .map(|binding| self.gl.get_parameter_buffer(binding).is_some()),
+                buffers: BINDINGS.map(|binding| self.gl.get_parameter_buffer(binding).is_some()),
             }
         }
     }
@@ -132,7 +131,10 @@ fn what_is_read_back_does_not_hang_on_the_host_s_pixel_store() {
     let clean = read(&machine);
     assert_eq!(clean.0.len(), (SIZE[0] * SIZE[1]) as usize);
     assert!(clean.0.iter().all(|texel| *texel == [0.25, 0.5, 0.75, 1.0]));
-    assert_eq!((clean.1[0], clean.2[0], clean.3[0]), (0.375, 77, [0x0102_0304; 4]));
+    assert_eq!(
+        (clean.1[0], clean.2[0], clean.3[0]),
+        (0.375, 77, [0x0102_0304; 4])
+    );
     proptest!(|(left in left())| {
         host.leave(&left);
         prop_assert_eq!(&read(&machine), &clean);
@@ -156,7 +158,15 @@ fn the_worst_pixel_store_is_seen_by_gl_itself() {
         host.gl.read_buffer(glow::COLOR_ATTACHMENT1);
         let into = glow::PixelPackData::Slice(Some(&mut bytes));
         let (width, height) = (SIZE[0] as i32, SIZE[1] as i32);
-        host.gl.read_pixels(0, 0, width, height, glow::RED_INTEGER, glow::UNSIGNED_INT, into);
+        host.gl.read_pixels(
+            0,
+            0,
+            width,
+            height,
+            glow::RED_INTEGER,
+            glow::UNSIGNED_INT,
+            into,
+        );
         assert_eq!(host.gl.get_error(), glow::NO_ERROR);
     }
     assert_ne!(bytes[..4], first, "nothing was skipped");

@@ -7,6 +7,8 @@ use glow::HasContext;
 use super::classic::Classic;
 use super::context::Context;
 use super::geometry::Geometry;
+use super::host::{UNITS, known_state};
+use super::making::{Making, expect_no_error};
 use super::program::{Linked, ProgramKey};
 use super::scan::ScanPrograms;
 use super::storage::StorageBuffer;
@@ -43,6 +45,8 @@ pub struct GlMachine<'c> {
     /// Linked when a scan is first asked for.
     pub(super) scan: Option<ScanPrograms>,
     pub(super) current: Option<ProgramKey>,
+    /// A query has begun and not ended.
+    pub(super) counting: bool,
     /// First row and number of rows that are drawn to, if not all.
     pub(super) band: Option<[u32; 2]>,
     pub(super) counts: Counts,
@@ -72,15 +76,13 @@ impl<'c> GlMachine<'c> {
                 format!("this driver renders 1 x 1 to {largest} x {largest}"),
             ));
         }
+        context.begin_making()?;
         let gl = context.glow();
-        let out = |what: String| Error::Driver {
-            what,
-            remedy: "the driver is out of memory or lost".into(),
-        };
+        let mut making = Making::new(gl);
         // SAFETY: the context is current; the samplers are set up before they are used.
         let (shadow_sampler, plain_sampler, no_attributes) = unsafe {
-            let shadow = gl.create_sampler().map_err(out)?;
-            let plain = gl.create_sampler().map_err(out)?;
+            let shadow = making.sampler()?;
+            let plain = making.sampler()?;
             for sampler in [shadow, plain] {
                 for (name, value) in [
                     (glow::TEXTURE_MIN_FILTER, glow::NEAREST),
@@ -93,8 +95,9 @@ impl<'c> GlMachine<'c> {
             }
             let compare = glow::COMPARE_REF_TO_TEXTURE as i32;
             gl.sampler_parameter_i32(shadow, glow::TEXTURE_COMPARE_MODE, compare);
-            (shadow, plain, gl.create_vertex_array().map_err(out)?)
+            (shadow, plain, making.vertex_array()?)
         };
+        making.finish();
         Ok(Self {
             context,
             size: [width, height],
@@ -112,6 +115,7 @@ impl<'c> GlMachine<'c> {
             slices: None,
             scan: None,
             current: None,
+            counting: false,
             band: None,
             counts: Counts::default(),
             classic: Classic::default(),
@@ -134,46 +138,45 @@ impl<'c> GlMachine<'c> {
     }
 
     /// GL's initial state, as a fresh context has it, a viewport of the machine's size, and every count at 0. Listings
-    /// take it from there.
+    /// take it from there. What the state was before is lost, unless a [`Visit`](super::Visit) of the context is going on.
     pub fn begin_frame(&mut self) {
+        self.end_counting();
+        known_state(self.context, self.size);
         let gl = self.context.glow();
-        // SAFETY: the context is current, and the arguments are GL's own defaults.
+        // SAFETY: the context is current, and the samplers are the machine's own.
         unsafe {
-            for capability in [
-                glow::DEPTH_TEST,
-                glow::STENCIL_TEST,
-                glow::BLEND,
-                glow::CULL_FACE,
-                glow::SCISSOR_TEST,
-                glow::DITHER,
-                glow::DEPTH_CLAMP,
-            ] {
-                gl.disable(capability);
-            }
-            gl.depth_func(glow::LESS);
-            gl.depth_mask(true);
-            gl.color_mask(true, true, true, true);
-            gl.stencil_mask(0xFF);
-            gl.stencil_func(glow::ALWAYS, 0, 0xFF);
-            gl.stencil_op(glow::KEEP, glow::KEEP, glow::KEEP);
-            gl.blend_equation(glow::FUNC_ADD);
-            gl.blend_func(glow::ONE, glow::ZERO);
-            gl.clear_depth_f64(1.0);
-            gl.clear_stencil(0);
-            gl.clear_color(0.0, 0.0, 0.0, 0.0);
-            gl.viewport(0, 0, self.size[0] as i32, self.size[1] as i32);
-            for unit in 0..8 {
-                let sampler = if unit == 0 {
-                    self.shadow_sampler
-                } else {
-                    self.plain_sampler
+            gl.active_texture(glow::TEXTURE0);
+            for unit in 0..UNITS {
+                let sampler = match unit {
+                    0 => Some(self.shadow_sampler),
+                    1..8 => Some(self.plain_sampler),
+                    // Volumes are fetched texel by texel, and classic calls bind their own.
+                    _ => None,
                 };
-                gl.bind_sampler(unit, Some(sampler));
+                gl.bind_sampler(unit, sampler);
             }
         }
+        // A listing chooses its program anew.
+        self.current = None;
         self.band = None;
         self.counts.geometry_passes = 0;
         self.classic.state = None;
+    }
+
+    /// Ends a query that a listing has begun and, because a step of it failed, not ended.
+    fn end_counting(&mut self) {
+        if std::mem::take(&mut self.counting) {
+            // SAFETY: the context is current, and the machine's own query is active.
+            unsafe { self.context.glow().end_query(glow::SAMPLES_PASSED) };
+        }
+    }
+
+    /// Asks OpenGL what has gone wrong since it was last asked; release builds do not ask after each step.
+    ///
+    /// # Errors
+    /// What OpenGL says, whatever was done.
+    pub fn expect_no_error(&self, when: &str) -> Result<()> {
+        expect_no_error(self.context.glow(), when)
     }
 
     /// What the programs whose names begin with `a_buffer/` or `ideal/` are compiled with from now on: names and values that their
@@ -195,10 +198,11 @@ impl<'c> GlMachine<'c> {
         unsafe {
             match self.band {
                 Some([first, rows]) => {
-                    gl.enable(glow::SCISSOR_TEST);
-                    gl.scissor(0, first as i32, self.size[0] as i32, rows as i32);
+                    gl.enable_draw_buffer(glow::SCISSOR_TEST, 0);
+                    let [width, rows] = [self.size[0], rows].map(|side| side as i32);
+                    gl.scissor_slice(0, 1, &[[0, first as i32, width, rows]]);
                 }
-                None => gl.disable(glow::SCISSOR_TEST),
+                None => gl.disable_draw_buffer(glow::SCISSOR_TEST, 0),
             }
         }
     }
@@ -231,9 +235,10 @@ impl<'c> GlMachine<'c> {
         match self.textures.get(&map) {
             Some(texture) if texture.format == format => Ok(()),
             _ => {
+                self.context.begin_making()?;
                 self.free(map);
-                self.textures
-                    .insert(map, Texture::new(self.context.glow(), format, self.size)?);
+                let texture = Texture::new(self.context.glow(), &map, format, self.size)?;
+                self.textures.insert(map, texture);
                 Ok(())
             }
         }
@@ -336,6 +341,11 @@ impl Workspace for GlMachine<'_> {
 
 impl Drop for GlMachine<'_> {
     fn drop(&mut self) {
+        // In another context the names would be someone else's objects.
+        let Ok(_away) = self.context.enter() else {
+            return;
+        };
+        self.end_counting();
         self.free_classic();
         let gl = self.context.glow();
         // SAFETY: every object is the machine's own, and the context outlives the borrow.

@@ -144,8 +144,9 @@ impl State {
         if self.clamp != to.clamp {
             clamp_reads(context, to.clamp);
         }
-        for ((name, _), (from, to)) in
-            TRANSFERS.iter().zip(self.transfers.iter().zip(&to.transfers))
+        for ((name, _), (from, to)) in TRANSFERS
+            .iter()
+            .zip(self.transfers.iter().zip(&to.transfers))
         {
             if from != to {
                 transfer(context, *name, *to);

@@ -3,8 +3,9 @@
 use glow::HasContext;
 
 use super::context::Context;
+use super::making::{Making, allocate};
 use super::pixel_store::PixelStore;
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::steps::Format;
 
 /// GL's sized internal format.
@@ -36,31 +37,27 @@ pub(super) struct Texture {
 }
 
 impl Texture {
-    /// A texture, its contents undefined. The context is current.
-    pub(super) fn new(gl: &glow::Context, format: Format, size: [u32; 2]) -> Result<Self> {
-        let out_of_memory = |what: &dyn std::fmt::Display| Error::Driver {
-            what: format!(
-                "the driver has no room for a {} x {} texture ({format:?}): {what}",
-                size[0], size[1]
-            ),
-            remedy:
-                "render a smaller image, or composite layers on the fly instead of keeping them"
-                    .into(),
-        };
-        // SAFETY: the context is current.
-        let raw = unsafe { gl.create_texture() }.map_err(|e| out_of_memory(&e))?;
-        let [width, height] = size.map(|side| side as i32);
+    /// The texture of a map, its contents undefined. The context is current.
+    pub(super) fn new(
+        gl: &glow::Context,
+        name: &dyn std::fmt::Display,
+        format: Format,
+        size: [u32; 2],
+    ) -> Result<Self> {
+        let [width, height] = size;
+        let bytes = format.bytes() * u64::from(width) * u64::from(height);
+        let what = format!("the map '{name}', a {width} x {height} texture ({format:?})");
+        let mut making = Making::new(gl);
+        let raw = making.texture()?;
         // SAFETY: the texture is bound, and its size is within the driver's limit, which the machine has checked.
-        let error = bound(gl, raw, || unsafe {
-            gl.tex_storage_2d(glow::TEXTURE_2D, 1, internal(format), width, height);
-            gl.get_error()
-        });
-        if error == glow::NO_ERROR {
-            return Ok(Self { raw, format, size });
-        }
-        // SAFETY: the texture was made above and is nobody else's.
-        unsafe { gl.delete_texture(raw) };
-        Err(out_of_memory(&super::constants::error_name(error)))
+        bound(gl, raw, || {
+            allocate(gl, &what, bytes, || unsafe {
+                let [width, height] = size.map(|side| side as i32);
+                gl.tex_storage_2d(glow::TEXTURE_2D, 1, internal(format), width, height);
+            })
+        })?;
+        making.finish();
+        Ok(Self { raw, format, size })
     }
 
     /// Bytes of its texels.
@@ -120,7 +117,12 @@ impl Texture {
     pub(super) fn read_stencils(&self, context: &Context) -> Vec<u8> {
         let mut texels = vec![0; (self.size[0] * self.size[1]) as usize];
         if self.format.has_stencil() {
-            self.read(context, glow::STENCIL_INDEX, glow::UNSIGNED_BYTE, &mut texels);
+            self.read(
+                context,
+                glow::STENCIL_INDEX,
+                glow::UNSIGNED_BYTE,
+                &mut texels,
+            );
         }
         texels
     }
@@ -145,7 +147,11 @@ impl Texture {
                     .for_each(|count| *count = f32::from_bits(*count) as u32);
             }
             Format::Depth32FStencil8 | Format::Depth24Stencil8 => {
-                return self.read_stencils(context).into_iter().map(u32::from).collect();
+                return self
+                    .read_stencils(context)
+                    .into_iter()
+                    .map(u32::from)
+                    .collect();
             }
             _ => self.read(context, glow::RED_INTEGER, glow::UNSIGNED_INT, into),
         }
@@ -170,7 +176,7 @@ impl Context {
     /// If the driver has no room for a texel.
     pub fn alpha_bits(&self, format: Format) -> Result<u32> {
         let gl = self.glow();
-        let texture = Texture::new(gl, format, [1, 1])?;
+        let texture = Texture::new(gl, &"one texel", format, [1, 1])?;
         // SAFETY: the texture is bound, has a level 0, and is deleted after it has been asked.
         let bits = bound(gl, texture.raw, || unsafe {
             gl.get_tex_level_parameter_i32(glow::TEXTURE_2D, 0, glow::TEXTURE_ALPHA_SIZE)

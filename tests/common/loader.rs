@@ -20,7 +20,7 @@ pub fn function(backend: Backend, name: &str) -> *const c_void {
     unsafe {
         let library = libraries
             .iter()
-            .find_map(|library| libloading::Library::new(library).ok())
+            .find_map(|library| libloading::Library::new(*library).ok())
             .expect("the library that made the context");
         let look_up: GetProcAddress = *library.get(look_up.as_bytes()).expect("its look-up");
         let function = look_up(name.as_ptr());
