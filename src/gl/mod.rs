@@ -30,7 +30,7 @@ mod volumes;
 
 pub use capture::{CapturedFragment, capture};
 pub use classic::{ClassicState, FixedFunction};
-pub use context::{Backend, Context, ContextOptions, Profile};
+pub use context::{Backend, Context, ContextOptions, Profile, suspect_variables};
 pub use driver::{Driver, Trap, WANTED_EXTENSIONS};
 pub use geometry::Geometry;
 pub use host::Visit;

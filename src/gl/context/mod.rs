@@ -23,6 +23,7 @@ use crate::gl::driver::Driver;
 use crate::gl::host::More;
 
 pub(in crate::gl) use self::current::Away;
+pub use self::variables::suspect_variables;
 
 /// The lowest version the methods can do with: shader storage buffers and image atomics are core from here.
 const LOWEST_VERSION: (u32, u32) = (4, 3);
@@ -110,7 +111,7 @@ impl Context {
                 Err(attempt) => tried.push(attempt),
             }
         }
-        tried.extend(variables::suspects());
+        tried.extend(suspect_variables());
         Err(Error::NoContext { tried })
     }
 

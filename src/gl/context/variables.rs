@@ -3,7 +3,7 @@
 use super::Attempt;
 
 /// What each of them tells Mesa, or the library that looks for Mesa.
-const VARIABLES: [(&str, &str); 12] = [
+const VARIABLES: [(&str, &str); 13] = [
     ("GALLIUM_DRIVER", "chooses Mesa's driver"),
     ("MESA_LOADER_DRIVER_OVERRIDE", "chooses Mesa's driver"),
     (VERSION, "has Mesa offer another OpenGL than the driver has"),
@@ -25,6 +25,7 @@ const VARIABLES: [(&str, &str); 12] = [
     ("__EGL_VENDOR_LIBRARY_FILENAMES", "says which EGL there is"),
     ("__EGL_VENDOR_LIBRARY_DIRS", "says where to look for an EGL"),
     ("DRI_PRIME", "chooses the GPU"),
+    ("DRAW_USE_LLVM", "takes away what Mesa draws vertices with"),
 ];
 
 /// Has Mesa offer another version.
@@ -48,8 +49,9 @@ pub(super) fn assignment(name: &str) -> Option<String> {
     Some(format!("{name}={}", value.to_string_lossy().escape_debug()))
 }
 
-/// A line for each that is set, for the error that says that there is no OpenGL.
-pub(super) fn suspects() -> Vec<Attempt> {
+/// The environment variables that are set and change which OpenGL there is, each with what it does and what to do about
+/// it.
+pub fn suspect_variables() -> Vec<Attempt> {
     set()
         .map(|(assignment, effect)| {
             let name = assignment.split('=').next().unwrap_or_default();
