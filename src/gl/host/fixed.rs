@@ -52,6 +52,9 @@ const OF_EXTENSIONS: [(&str, u32); 9] = [
 ];
 
 const INITIAL_CLIP_CONTROL: [u32; 2] = [glow::LOWER_LEFT, glow::NEGATIVE_ONE_TO_ONE];
+/// Nothing is shaded flat by it here; but rasterisers begin with that vertex, and round otherwise.
+const PROVOKING_VERTEX: u32 = 0x8E4F;
+const LAST_VERTEX: u32 = 0x8E4E;
 const CLAMP_FRAGMENT_COLOR: u32 = 0x891B;
 const FIXED_ONLY: u32 = 0x891D;
 
@@ -73,6 +76,7 @@ pub(super) struct Fixed {
     /// Front and back, which a core profile keeps the same.
     polygon_mode: [i32; 2],
     front_face: u32,
+    provoking_vertex: u32,
     /// Origin and depth mode, where there are others.
     clip_control: Option<[u32; 2]>,
     /// Of a compatibility profile.
@@ -136,6 +140,7 @@ pub(in crate::gl) fn known_state(context: &Context, size: [u32; 2]) {
         scissored: false,
         polygon_mode: [glow::FILL as i32; 2],
         front_face: glow::CCW,
+        provoking_vertex: LAST_VERTEX,
         clip_control: clip_control(context).map(|_| INITIAL_CLIP_CONTROL),
         clamp_fragments: clamp_fragments(context).map(|_| FIXED_ONLY),
     };
@@ -148,10 +153,22 @@ pub(in crate::gl) fn known_state(context: &Context, size: [u32; 2]) {
     }
 }
 
-/// Whether the context's clip control can be made OpenGL's initial one.
-pub(super) fn can_know_clip_control(context: &Context) -> bool {
-    clip_control(context).is_none_or(|there| there == INITIAL_CLIP_CONTROL)
-        || context.more().has_clip_control()
+/// The call that the host has to make before a frame, because it cannot be made from here: of state that is not OpenGL's
+/// initial one, and whose function glow does not have and nobody else, either.
+pub(super) fn out_of_reach(context: &Context) -> Option<&'static str> {
+    let more = context.more();
+    if clip_control(context).is_some_and(|there| there != INITIAL_CLIP_CONTROL)
+        && !more.has_clip_control()
+    {
+        return Some("glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE)");
+    }
+    (provoking_vertex(context) != LAST_VERTEX && !more.has_provoking_vertex())
+        .then_some("glProvokingVertex(GL_LAST_VERTEX_CONVENTION)")
+}
+
+fn provoking_vertex(context: &Context) -> u32 {
+    // SAFETY: the context is current, and it is a single number.
+    unsafe { context.glow().get_parameter_i32(PROVOKING_VERTEX) as u32 }
 }
 
 fn capabilities(context: &Context) -> impl Iterator<Item = u32> {
@@ -244,6 +261,7 @@ impl Fixed {
             scissored: unsafe { gl.is_enabled(glow::SCISSOR_TEST) },
             polygon_mode,
             front_face: number(glow::FRONT_FACE) as u32,
+            provoking_vertex: number(PROVOKING_VERTEX) as u32,
             clip_control: clip_control(context),
             clamp_fragments: clamp_fragments(context),
         }
@@ -273,7 +291,9 @@ impl Fixed {
             gl.clear_color(red, green, blue, alpha);
             gl.clear_depth_f64(self.clear_depth);
             gl.clear_stencil(self.clear_stencil);
-            gl.viewport_f32_slice(0, 1, &[self.viewport]);
+            // Mesa clamps the sides in place, though it is given the array to read: it must not be a constant.
+            let viewport = std::hint::black_box([self.viewport]);
+            gl.viewport_f32_slice(0, 1, &viewport);
             gl.scissor_slice(0, 1, &[self.scissor]);
             if self.scissored {
                 gl.enable_draw_buffer(glow::SCISSOR_TEST, 0);
@@ -288,6 +308,9 @@ impl Fixed {
                 gl.polygon_mode(glow::BACK, back);
             }
             gl.front_face(self.front_face);
+        }
+        if self.provoking_vertex != provoking_vertex(context) {
+            context.more().provoking_vertex(self.provoking_vertex);
         }
         if let Some(wanted) = self.clamp_fragments
             && Some(wanted) != clamp_fragments(context)

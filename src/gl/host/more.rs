@@ -4,6 +4,7 @@ use std::ffi::{c_double, c_int, c_uint, c_void};
 
 use super::super::context::Context;
 
+type Enum = unsafe extern "system" fn(c_uint);
 type Enums = unsafe extern "system" fn(c_uint, c_uint);
 type Nothing = unsafe extern "system" fn();
 type GetQuery = unsafe extern "system" fn(c_uint, c_uint, *mut c_int);
@@ -15,6 +16,7 @@ type BindRange = unsafe extern "system" fn(c_uint, c_uint, c_uint, isize, isize)
 #[derive(Clone, Copy, Debug, Default)]
 pub(in crate::gl) struct More {
     clip_control: Option<Enums>,
+    provoking_vertex: Option<Enum>,
     clamp_color: Option<Enums>,
     begin_conditional_render: Option<Enums>,
     end_conditional_render: Option<Nothing>,
@@ -39,6 +41,7 @@ impl More {
         let clips = driver.version >= (4, 5) || driver.has("GL_ARB_clip_control");
         Self {
             clip_control: look_up!("glClipControl" as Enums).filter(|_| clips),
+            provoking_vertex: look_up!("glProvokingVertex" as Enum),
             clamp_color: look_up!("glClampColor" as Enums),
             begin_conditional_render: look_up!("glBeginConditionalRender" as Enums),
             end_conditional_render: look_up!("glEndConditionalRender" as Nothing),
@@ -58,6 +61,18 @@ impl More {
         if let Some(call) = self.clip_control {
             // SAFETY: the context is current, here and below, and the constants are OpenGL's own.
             unsafe { call(origin, depth) };
+        }
+    }
+
+    pub(in crate::gl) fn has_provoking_vertex(&self) -> bool {
+        self.provoking_vertex.is_some()
+    }
+
+    /// `glProvokingVertex`, where there is one.
+    pub(in crate::gl) fn provoking_vertex(&self, mode: u32) {
+        if let Some(call) = self.provoking_vertex {
+            // SAFETY: as above.
+            unsafe { call(mode) };
         }
     }
 

@@ -5,7 +5,7 @@ use glow::HasContext;
 use super::super::context::{Away, Context};
 use super::super::making::{expect_no_error, take_errors};
 use super::bindings::Bindings;
-use super::fixed::{Fixed, can_know_clip_control};
+use super::fixed::{Fixed, out_of_reach};
 use super::per_buffer::PerBuffer;
 use crate::error::{Error, Result};
 
@@ -120,10 +120,10 @@ fn expect_interruptible(context: &Context) -> Result<()> {
             ));
         }
     }
-    if !can_know_clip_control(context) {
+    if let Some(call) = out_of_reach(context) {
         return Err(Error::usage(
-            "the context's clip control is not OpenGL's initial one, and cannot be changed from here",
-            "call glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE) before the frame",
+            "the context has a state that is not OpenGL's initial one, and that cannot be changed from here",
+            format!("call {call} before the frame"),
         ));
     }
     if is_conditional(context) {
