@@ -160,8 +160,10 @@ fn open(event_loop: &ActiveEventLoop, [width, height]: [u32; 2]) -> Result<Shown
     };
     // SAFETY: the context has just been made current on this thread.
     let gl = unsafe { glow::Context::from_loader_function(function) };
+    // SAFETY: the context is current, stays so, and is kept in `Shown` behind what is made with it.
+    let context = unsafe { Context::from_glow(Arc::new(gl)) }?;
     Ok(Shown {
-        context: Context::from_glow(Arc::new(gl))?,
+        context,
         surface,
         current,
         window,

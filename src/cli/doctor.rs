@@ -12,11 +12,13 @@ use onionskin::{Error, Result};
 use serde::{Serialize, Serializer};
 
 use super::output::{print_json, say};
+use super::probe;
 
 /// Report the OpenGL that is there and what will not work with it
 ///
 /// Tries every way to a context: for each, the renderer, its version, its limits, the extensions that methods want,
-/// and the driver's known traps. Exits with 2 if there is no way at all, and says what to install.
+/// and the driver's known traps. One way is enough; OSMesa is optional, and Mesa 25.1 and later do not have it. Exits with
+/// 2 if there is no way at all, and says what to install.
 #[derive(Args)]
 pub(super) struct Doctor {
     /// Print one JSON object a backend and nothing else
@@ -28,6 +30,8 @@ pub(super) struct Doctor {
 struct Report {
     backend: String,
     works: bool,
+    /// It does not work, and need not.
+    optional: bool,
     answer: Option<String>,
     renderer: Option<String>,
     version: Option<String>,
@@ -46,18 +50,18 @@ impl Doctor {
         let mut errors = Vec::new();
         let mut works = false;
         for backend in [Backend::Egl, Backend::OsMesa] {
-            let report = match Context::new(ContextOptions {
-                backend: Some(backend),
-                profile: Profile::Core,
-            }) {
+            let report = match probe::tried(backend) {
                 Ok(context) => Report::of(backend, &context)?,
                 Err(Error::NoContext { tried }) => {
+                    let mut tried = tried;
+                    tried.retain(|attempt| !errors.contains(attempt));
                     let answers = tried
                         .iter()
                         .map(|attempt| format!("{}: {}", attempt.what, attempt.answer));
                     let answer = answers.collect::<Vec<_>>().join("; ");
                     errors.extend(tried);
-                    Report::failed(backend, answer)
+                    // With EGL nothing is missing.
+                    Report::failed(backend, answer, works)
                 }
                 Err(error) => return Err(error),
             };
@@ -83,6 +87,7 @@ impl Report {
         Ok(Self {
             backend: backend.to_string(),
             works: true,
+            optional: false,
             answer: None,
             renderer: Some(driver.renderer.clone()),
             version: Some(driver.version_text.clone()),
@@ -97,10 +102,11 @@ impl Report {
         })
     }
 
-    fn failed(backend: Backend, answer: String) -> Self {
+    fn failed(backend: Backend, answer: String, optional: bool) -> Self {
         Self {
             backend: backend.to_string(),
             works: false,
+            optional,
             answer: Some(answer),
             renderer: None,
             version: None,
@@ -118,6 +124,9 @@ impl fmt::Display for Report {
         write!(f, "{}", self.backend)?;
         let mut line = |name: &str, value: &str| write!(f, "\n  {name:<46} {value}");
         if let Some(answer) = &self.answer {
+            if self.optional {
+                return line("not there, and not needed (optional)", answer);
+            }
             return line("does not work", answer);
         }
         line("renderer", self.renderer.as_deref().unwrap_or("?"))?;

@@ -13,6 +13,7 @@ mod listing;
 mod method_options;
 mod methods;
 mod output;
+mod probe;
 mod progress;
 mod record;
 mod render;
@@ -58,6 +59,9 @@ enum Command {
     Listing(listing::Listing),
     Methods(methods::Methods),
     Doctor(doctor::Doctor),
+    /// For the program itself
+    #[command(hide = true)]
+    Probe(probe::Probe),
 }
 
 /// Runs the command line.
@@ -72,6 +76,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Listing(listing) => listing.run(),
         Command::Methods(methods) => methods.run(),
         Command::Doctor(doctor) => doctor.run(),
+        Command::Probe(probe) => probe.run(),
     };
     done.unwrap_or_else(|error| {
         eprintln!("onionskin: {error}");

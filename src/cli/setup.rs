@@ -3,11 +3,12 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use onionskin::gl::{Backend, ContextOptions, Format};
+use onionskin::gl::{Backend, Format};
 use onionskin::oracle::DepthBuffer;
 use onionskin::scene::Animation;
 use onionskin::{Context, Error, Renderer, Result, Scene};
 
+use super::probe;
 use super::progress::Progress;
 
 const RENDERING: &str = "Options of every rendering";
@@ -114,10 +115,7 @@ enum Planes {
 impl Gl {
     /// The context that is asked for.
     pub(super) fn context(&self) -> Result<Context> {
-        Context::new(ContextOptions {
-            backend: self.backend()?,
-            ..ContextOptions::default()
-        })
+        probe::context(self.backend()?)
     }
 
     fn backend(&self) -> Result<Option<Backend>> {

@@ -10,6 +10,7 @@ use glow::HasContext;
 
 use super::context::Context;
 use super::machine::GlMachine;
+use super::making::{Making, allocate};
 use crate::error::{Error, Result};
 use crate::fragment::Rgba;
 use crate::steps::{Call, Capability, Compare, Machine, Map, Objects, Query, Shader, Target};
@@ -111,7 +112,7 @@ pub fn capture_in_pieces(
         }
     }
     // SAFETY: the context is current.
-    unsafe { context.glow().disable(glow::SCISSOR_TEST) };
+    unsafe { context.glow().disable_draw_buffer(glow::SCISSOR_TEST, 0) };
     machine.perform(&Call::DepthMask { flag: true })?;
     Ok(())
 }
@@ -167,13 +168,9 @@ impl Piece {
     fn scissor(self, gl: &glow::Context) {
         // SAFETY: the context is current.
         unsafe {
-            gl.enable(glow::SCISSOR_TEST);
-            gl.scissor(
-                self.x as i32,
-                self.y as i32,
-                self.width as i32,
-                self.height as i32,
-            );
+            gl.enable_draw_buffer(glow::SCISSOR_TEST, 0);
+            let corner_and_size = [self.x, self.y, self.width, self.height];
+            gl.scissor_slice(0, 1, &[corner_and_size.map(|number| number as i32)]);
         }
     }
 
@@ -228,20 +225,23 @@ struct List<'c> {
 impl<'c> List<'c> {
     fn new(context: &'c Context, expected: u32) -> Result<Self> {
         let gl = context.glow();
-        let out = |what: String| Error::Driver {
-            what,
-            remedy: "the driver is out of memory or lost".into(),
-        };
         let bytes = expected as i32 * size_of::<CapturedFragment>() as i32;
+        let mut making = Making::new(gl);
         // SAFETY: the context is current; both buffers get their storage before they are used, and the list's size is
         // within `room`.
         unsafe {
-            let counter = gl.create_buffer().map_err(out)?;
+            let counter = making.buffer()?;
             gl.bind_buffer_base(glow::SHADER_STORAGE_BUFFER, 0, Some(counter));
-            gl.buffer_data_u8_slice(glow::SHADER_STORAGE_BUFFER, &[0; 4], glow::DYNAMIC_READ);
-            let list = gl.create_buffer().map_err(out)?;
+            allocate(gl, "the counter of fragments", 4, || {
+                gl.buffer_data_u8_slice(glow::SHADER_STORAGE_BUFFER, &[0; 4], glow::DYNAMIC_READ);
+            })?;
+            let list = making.buffer()?;
             gl.bind_buffer_base(glow::SHADER_STORAGE_BUFFER, 1, Some(list));
-            gl.buffer_data_size(glow::SHADER_STORAGE_BUFFER, bytes, glow::DYNAMIC_READ);
+            let what = format!("a list of {expected} fragments");
+            allocate(gl, &what, bytes as u64, || {
+                gl.buffer_data_size(glow::SHADER_STORAGE_BUFFER, bytes, glow::DYNAMIC_READ);
+            })?;
+            making.finish();
             Ok(Self {
                 context,
                 counter,

@@ -13,6 +13,8 @@ pub struct Driver {
     pub version_text: String,
     /// Major and minor.
     pub version: (u32, u32),
+    /// Major and minor of the shading language, the minor in hundredths: (4, 30).
+    pub shading_language: (u32, u32),
     /// OpenGL ES rather than OpenGL.
     pub embedded: bool,
     /// Whether it still has what OpenGL 3.1 removed.
@@ -86,11 +88,12 @@ impl Driver {
     /// Asks the current context.
     pub(super) fn read(gl: &glow::Context) -> Self {
         let version = gl.version();
-        // SAFETY: the caller's context is current, and both names are strings in every version of GL.
-        let (renderer, version_text) = unsafe {
+        // SAFETY: the caller's context is current, and the names are strings in every version of GL from 2.0 on.
+        let (renderer, version_text, shading_language) = unsafe {
             (
                 gl.get_parameter_string(glow::RENDERER),
                 gl.get_parameter_string(glow::VERSION),
+                gl.get_parameter_string(glow::SHADING_LANGUAGE_VERSION),
             )
         };
         let number = (version.major, version.minor);
@@ -115,6 +118,7 @@ impl Driver {
             renderer,
             version_text,
             version: number,
+            shading_language: numbers(&shading_language),
             embedded: version.is_embedded,
             extensions: gl.supported_extensions().iter().cloned().collect(),
             limits,
@@ -137,5 +141,27 @@ impl Driver {
     /// Whether the driver names an extension.
     pub fn has(&self, extension: &str) -> bool {
         self.extensions.contains(extension)
+    }
+}
+
+/// The two numbers that a version's text begins with.
+fn numbers(text: &str) -> (u32, u32) {
+    let mut numbers = text
+        .split(|c: char| !c.is_ascii_digit())
+        .map(|number| number.parse().unwrap_or(0));
+    let mut next = || numbers.next().unwrap_or(0);
+    (next(), next())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::numbers;
+
+    #[test]
+    fn a_version_s_text_begins_with_its_numbers() {
+        assert_eq!(numbers("4.50"), (4, 50));
+        assert_eq!(numbers("4.60 NVIDIA"), (4, 60));
+        assert_eq!(numbers("OpenGL ES GLSL ES 3.20"), (0, 0));
+        assert_eq!(numbers(""), (0, 0));
     }
 }

@@ -3,6 +3,7 @@
 use glow::HasContext;
 
 use super::machine::GlMachine;
+use super::making::{expect_no_error, named};
 use super::texture::Texture;
 use crate::error::{Error, Result};
 use crate::steps::{Map, Target};
@@ -85,16 +86,20 @@ impl GlMachine<'_> {
                 "render one first",
             ));
         };
+        let _visit = self.context.visit()?;
         let gl = self.context.glow();
         let [width, height] = self.size.map(|side| side as i32);
         // SAFETY: the context is current, and the framebuffer is the machine's own.
         unsafe {
+            // Both would change what is copied.
+            gl.disable_draw_buffer(glow::SCISSOR_TEST, 0);
+            gl.disable(glow::FRAMEBUFFER_SRGB);
             gl.bind_framebuffer(glow::READ_FRAMEBUFFER, Some(framebuffer));
             gl.bind_framebuffer(glow::DRAW_FRAMEBUFFER, None);
             let all = glow::COLOR_BUFFER_BIT;
             gl.blit_framebuffer(0, 0, width, height, 0, 0, width, height, all, glow::NEAREST);
         }
-        Ok(())
+        expect_no_error(gl, "when the image is copied into the window's framebuffer")
     }
 
     pub(super) fn bind_framebuffer(&mut self, target: Target) -> Result<()> {
@@ -103,11 +108,7 @@ impl GlMachine<'_> {
             Some(framebuffer) => *framebuffer,
             None => {
                 // SAFETY: the context is current.
-                let made = unsafe { gl.create_framebuffer() };
-                let made = made.map_err(|what| Error::Driver {
-                    what,
-                    remedy: "the driver is lost".into(),
-                })?;
+                let made = named("framebuffer", unsafe { gl.create_framebuffer() })?;
                 self.framebuffers.insert(target, made);
                 made
             }

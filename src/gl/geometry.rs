@@ -5,6 +5,7 @@ use glam::{DMat4, DVec2, DVec3, Mat4, Vec3};
 use glow::HasContext;
 
 use super::context::Context;
+use super::making::{Making, allocate};
 use super::program::Surfaces;
 use crate::error::{Error, Result};
 use crate::fragment::Rgba;
@@ -100,6 +101,7 @@ impl<'c> Geometry<'c> {
     /// # Errors
     /// If the driver has no room, or a mesh is larger than a draw call.
     pub fn upload(context: &'c Context, scene: &Scene, size: [u32; 2]) -> Result<Self> {
+        let _bound = Bound::keep(context)?;
         let mut geometry = Self::empty(context, scene, size);
         let mut place = 0;
         for (number, mesh) in scene.meshes.iter().enumerate() {
@@ -144,6 +146,7 @@ impl<'c> Geometry<'c> {
         size: [u32; 2],
         order: &[[u32; 2]],
     ) -> Result<Self> {
+        let _bound = Bound::keep(context)?;
         let mut geometry = Self::empty(context, scene, size);
         let mut triangles: Vec<Vec<[u32; 3]>> = vec![Vec::new(); scene.meshes.len()];
         for (place, &[mesh, triangle]) in order.iter().enumerate() {
@@ -188,6 +191,18 @@ impl<'c> Geometry<'c> {
             eye: (camera.eye - origin).as_vec3(),
             window: window_of_transparent(scene, projection * camera.view(), size),
         }
+    }
+
+    /// # Errors
+    /// If it was uploaded to another context, where the same names are other objects.
+    pub(super) fn expect_context(&self, context: &Context) -> Result<()> {
+        if self.context.is(context) {
+            return Ok(());
+        }
+        Err(Error::usage(
+            "the geometry was uploaded to another OpenGL context than the one that draws it",
+            "upload it with the context of the machine",
+        ))
     }
 
     /// The part of the image outside of which no transparent surface is.
@@ -286,35 +301,28 @@ impl Uploaded {
                 "split it into meshes of at most 178 million triangles",
             ));
         }
-        let out = |what: String| Error::Driver {
-            what,
-            remedy: "the driver is out of memory or lost".into(),
-        };
         let corners: Vec<Corner> = mesh
             .vertices
             .iter()
             .map(|vertex| Corner::of(vertex, origin))
             .collect();
         let stride = size_of::<Corner>() as i32;
+        let mut making = Making::new(gl);
         // SAFETY: the context is current; the slices are read before the calls return; the three attributes lie within
         // the stride, as Corner is laid out in C's way.
         unsafe {
-            let array = gl.create_vertex_array().map_err(out)?;
+            let array = making.vertex_array()?;
             gl.bind_vertex_array(Some(array));
-            let vertices = gl.create_buffer().map_err(out)?;
+            let vertices = making.buffer()?;
             gl.bind_buffer(glow::ARRAY_BUFFER, Some(vertices));
-            gl.buffer_data_u8_slice(
-                glow::ARRAY_BUFFER,
-                bytemuck::cast_slice(&corners),
-                glow::STATIC_DRAW,
-            );
-            let indices = gl.create_buffer().map_err(out)?;
+            let bytes = bytemuck::cast_slice(&corners);
+            let what = format!("the vertices of mesh '{}'", mesh.name);
+            fill(gl, glow::ARRAY_BUFFER, &what, bytes)?;
+            let indices = making.buffer()?;
             gl.bind_buffer(glow::ELEMENT_ARRAY_BUFFER, Some(indices));
-            gl.buffer_data_u8_slice(
-                glow::ELEMENT_ARRAY_BUFFER,
-                bytemuck::cast_slice(triangles),
-                glow::STATIC_DRAW,
-            );
+            let bytes = bytemuck::cast_slice(triangles);
+            let what = format!("the triangles of mesh '{}'", mesh.name);
+            fill(gl, glow::ELEMENT_ARRAY_BUFFER, &what, bytes)?;
             for (attribute, components, offset) in [(0, 3, 0), (1, 3, 12), (2, 4, 24)] {
                 gl.enable_vertex_attrib_array(attribute);
                 gl.vertex_attrib_pointer_f32(
@@ -326,7 +334,7 @@ impl Uploaded {
                     offset,
                 );
             }
-            gl.bind_vertex_array(None);
+            making.finish();
             Ok(Self {
                 vertices,
                 indices,
@@ -364,6 +372,47 @@ fn origin_of(scene: &Scene) -> DVec3 {
         Some(bounds) if bounds.centre().length() > FAR * bounds.size().length() => bounds.centre(),
         _ => DVec3::ZERO,
     }
+}
+
+/// What an upload binds something else to meanwhile.
+struct Bound<'c> {
+    context: &'c Context,
+    array: Option<glow::VertexArray>,
+    buffer: Option<glow::Buffer>,
+}
+
+impl<'c> Bound<'c> {
+    fn keep(context: &'c Context) -> Result<Self> {
+        context.begin_making()?;
+        let gl = context.glow();
+        // SAFETY: the context is current; both are bindings.
+        unsafe {
+            Ok(Self {
+                context,
+                array: gl.get_parameter_vertex_array(glow::VERTEX_ARRAY_BINDING),
+                buffer: gl.get_parameter_buffer(glow::ARRAY_BUFFER_BINDING),
+            })
+        }
+    }
+}
+
+impl Drop for Bound<'_> {
+    fn drop(&mut self) {
+        let gl = self.context.glow();
+        // SAFETY: as above.
+        unsafe {
+            gl.bind_vertex_array(self.array);
+            gl.bind_buffer(glow::ARRAY_BUFFER, self.buffer);
+        }
+    }
+}
+
+/// Gives the buffer that is bound to `target` its contents.
+fn fill(gl: &glow::Context, target: u32, what: &str, bytes: &[u8]) -> Result<()> {
+    allocate(gl, what, bytes.len() as u64, || {
+        // SAFETY: the context is current, and a buffer is bound.
+        unsafe { gl.buffer_data_u8_slice(target, bytes, glow::STATIC_DRAW) };
+    })
 }
 
 /// The box around a volume, its faces turned outwards.
@@ -430,6 +479,10 @@ fn window_of_transparent(
 
 impl Drop for Geometry<'_> {
     fn drop(&mut self) {
+        // In another context the names would be someone else's objects.
+        let Ok(_away) = self.context.enter() else {
+            return;
+        };
         let gl = self.context.glow();
         for mesh in &self.meshes {
             // SAFETY: the objects are this mesh's own, and the context outlives the borrow.

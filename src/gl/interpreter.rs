@@ -8,6 +8,7 @@ use super::constants::{blend_factor, capability, clear_bits, compare, error_name
 use super::framebuffers::depth_attachment;
 use super::geometry::Geometry;
 use super::machine::GlMachine;
+use super::making::named;
 use super::program::{Linked, ProgramKey};
 use super::texture::internal;
 use crate::error::{Error, Result};
@@ -16,10 +17,12 @@ use crate::steps::{Call, Index, Machine, Map, Objects, Query, Shader};
 impl Machine for GlMachine<'_> {
     /// In debug builds the step's text names a debug group around it, and OpenGL's errors are asked for after it.
     fn perform(&mut self, call: &Call) -> Result<()> {
+        self.context.expect_current()?;
         if !cfg!(debug_assertions) {
             return self.execute(call);
         }
         let gl = self.context.glow();
+        self.context.note_errors_outside_of_visits();
         let step = call.to_string();
         // SAFETY: the context is current; the group that is pushed is popped.
         unsafe { gl.push_debug_group(glow::DEBUG_SOURCE_APPLICATION, 0, &step) };
@@ -74,11 +77,7 @@ impl GlMachine<'_> {
             return Ok(*query);
         }
         // SAFETY: the context is current.
-        let made = unsafe { self.context.glow().create_query() };
-        let made = made.map_err(|what| Error::Driver {
-            what,
-            remedy: "the driver is lost".into(),
-        })?;
+        let made = named("query", unsafe { self.context.glow().create_query() })?;
         self.queries.insert(query, made);
         Ok(made)
     }
@@ -171,8 +170,8 @@ impl GlMachine<'_> {
                 }
                 // SAFETY: the program is current and reads no attributes, and the array has none.
                 unsafe {
-                    gl.enable(glow::SCISSOR_TEST);
-                    gl.scissor(x, y, width, height);
+                    gl.enable_draw_buffer(glow::SCISSOR_TEST, 0);
+                    gl.scissor_slice(0, 1, &[[x, y, width, height]]);
                     gl.bind_vertex_array(Some(self.no_attributes));
                     gl.draw_arrays(glow::TRIANGLES, 0, 3);
                 }
@@ -193,11 +192,9 @@ impl GlMachine<'_> {
                         "set_geometry first",
                     )
                 };
-                let drawn = self
-                    .geometry
-                    .as_ref()
-                    .ok_or_else(no_scene)?
-                    .draw(surfaces, objects);
+                let geometry = self.geometry.as_ref().ok_or_else(no_scene)?;
+                geometry.expect_context(self.context)?;
+                let drawn = geometry.draw(surfaces, objects);
                 if drawn && !matches!(objects, Objects::Opaque | Objects::Proxies) {
                     self.counts.geometry_passes += 1;
                 }
@@ -344,8 +341,12 @@ impl GlMachine<'_> {
                 Call::BeginQuery { query } => {
                     let query = self.query(query)?;
                     gl.begin_query(glow::SAMPLES_PASSED, query);
+                    self.counting = true;
                 }
-                Call::EndQuery { .. } => gl.end_query(glow::SAMPLES_PASSED),
+                Call::EndQuery { .. } => {
+                    gl.end_query(glow::SAMPLES_PASSED);
+                    self.counting = false;
+                }
                 Call::CopyImage { from, to } => self.copy(from, to)?,
                 Call::Swap { a, b } => self.swap(a, b)?,
                 Call::Draw { objects } => self.draw(objects)?,

@@ -7,6 +7,8 @@ use glow::HasContext;
 use super::classic::Classic;
 use super::context::Context;
 use super::geometry::Geometry;
+use super::host::{UNITS, known_state};
+use super::making::{Making, expect_no_error};
 use super::program::{Linked, ProgramKey};
 use super::scan::ScanPrograms;
 use super::storage::StorageBuffer;
@@ -45,6 +47,8 @@ pub struct GlMachine<'c> {
     /// Linked when a scan is first asked for.
     pub(super) scan: Option<ScanPrograms>,
     pub(super) current: Option<ProgramKey>,
+    /// A query has begun and not ended.
+    pub(super) counting: bool,
     /// First row and number of rows that are drawn to, if not all.
     pub(super) band: Option<[u32; 2]>,
     pub(super) counts: Counts,
@@ -74,15 +78,13 @@ impl<'c> GlMachine<'c> {
                 format!("this driver renders 1 x 1 to {largest} x {largest}"),
             ));
         }
+        context.begin_making()?;
         let gl = context.glow();
-        let out = |what: String| Error::Driver {
-            what,
-            remedy: "the driver is out of memory or lost".into(),
-        };
+        let mut making = Making::new(gl);
         // SAFETY: the context is current; the samplers are set up before they are used.
         let (shadow_sampler, plain_sampler, no_attributes) = unsafe {
-            let shadow = gl.create_sampler().map_err(out)?;
-            let plain = gl.create_sampler().map_err(out)?;
+            let shadow = making.sampler()?;
+            let plain = making.sampler()?;
             for sampler in [shadow, plain] {
                 for (name, value) in [
                     (glow::TEXTURE_MIN_FILTER, glow::NEAREST),
@@ -95,8 +97,9 @@ impl<'c> GlMachine<'c> {
             }
             let compare = glow::COMPARE_REF_TO_TEXTURE as i32;
             gl.sampler_parameter_i32(shadow, glow::TEXTURE_COMPARE_MODE, compare);
-            (shadow, plain, gl.create_vertex_array().map_err(out)?)
+            (shadow, plain, making.vertex_array()?)
         };
+        making.finish();
         Ok(Self {
             context,
             size: [width, height],
@@ -115,6 +118,7 @@ impl<'c> GlMachine<'c> {
             slices: None,
             scan: None,
             current: None,
+            counting: false,
             band: None,
             counts: Counts::default(),
             classic: Classic::default(),
@@ -137,46 +141,45 @@ impl<'c> GlMachine<'c> {
     }
 
     /// GL's initial state, as a fresh context has it, a viewport of the machine's size, and every count at 0. Listings
-    /// take it from there.
+    /// take it from there. What the state was before is lost, unless a [`Visit`](super::Visit) of the context is going on.
     pub fn begin_frame(&mut self) {
+        self.end_counting();
+        known_state(self.context, self.size);
         let gl = self.context.glow();
-        // SAFETY: the context is current, and the arguments are GL's own defaults.
+        // SAFETY: the context is current, and the samplers are the machine's own.
         unsafe {
-            for capability in [
-                glow::DEPTH_TEST,
-                glow::STENCIL_TEST,
-                glow::BLEND,
-                glow::CULL_FACE,
-                glow::SCISSOR_TEST,
-                glow::DITHER,
-                glow::DEPTH_CLAMP,
-            ] {
-                gl.disable(capability);
-            }
-            gl.depth_func(glow::LESS);
-            gl.depth_mask(true);
-            gl.color_mask(true, true, true, true);
-            gl.stencil_mask(0xFF);
-            gl.stencil_func(glow::ALWAYS, 0, 0xFF);
-            gl.stencil_op(glow::KEEP, glow::KEEP, glow::KEEP);
-            gl.blend_equation(glow::FUNC_ADD);
-            gl.blend_func(glow::ONE, glow::ZERO);
-            gl.clear_depth_f64(1.0);
-            gl.clear_stencil(0);
-            gl.clear_color(0.0, 0.0, 0.0, 0.0);
-            gl.viewport(0, 0, self.size[0] as i32, self.size[1] as i32);
-            for unit in 0..8 {
-                let sampler = if unit == 0 {
-                    self.shadow_sampler
-                } else {
-                    self.plain_sampler
+            gl.active_texture(glow::TEXTURE0);
+            for unit in 0..UNITS {
+                let sampler = match unit {
+                    0 => Some(self.shadow_sampler),
+                    1..8 => Some(self.plain_sampler),
+                    // Volumes are fetched texel by texel, and classic calls bind their own.
+                    _ => None,
                 };
-                gl.bind_sampler(unit, Some(sampler));
+                gl.bind_sampler(unit, sampler);
             }
         }
+        // A listing chooses its program anew.
+        self.current = None;
         self.band = None;
         self.counts.geometry_passes = 0;
         self.classic.state = None;
+    }
+
+    /// Ends a query that a listing has begun and, because a step of it failed, not ended.
+    fn end_counting(&mut self) {
+        if std::mem::take(&mut self.counting) {
+            // SAFETY: the context is current, and the machine's own query is active.
+            unsafe { self.context.glow().end_query(glow::SAMPLES_PASSED) };
+        }
+    }
+
+    /// Asks OpenGL what has gone wrong since it was last asked; release builds do not ask after each step.
+    ///
+    /// # Errors
+    /// What OpenGL says, whatever was done.
+    pub fn expect_no_error(&self, when: &str) -> Result<()> {
+        expect_no_error(self.context.glow(), when)
     }
 
     /// What the programs whose names begin with `a_buffer/` or `ideal/` are compiled with from now on: names and values that their
@@ -211,10 +214,11 @@ impl<'c> GlMachine<'c> {
         unsafe {
             match self.band {
                 Some([first, rows]) => {
-                    gl.enable(glow::SCISSOR_TEST);
-                    gl.scissor(0, first as i32, self.size[0] as i32, rows as i32);
+                    gl.enable_draw_buffer(glow::SCISSOR_TEST, 0);
+                    let [width, rows] = [self.size[0], rows].map(|side| side as i32);
+                    gl.scissor_slice(0, 1, &[[0, first as i32, width, rows]]);
                 }
-                None => gl.disable(glow::SCISSOR_TEST),
+                None => gl.disable_draw_buffer(glow::SCISSOR_TEST, 0),
             }
         }
     }
@@ -247,9 +251,10 @@ impl<'c> GlMachine<'c> {
         match self.textures.get(&map) {
             Some(texture) if texture.format == format => Ok(()),
             _ => {
+                self.context.begin_making()?;
                 self.free(map);
-                self.textures
-                    .insert(map, Texture::new(self.context.glow(), format, self.size)?);
+                let texture = Texture::new(self.context.glow(), &map, format, self.size)?;
+                self.textures.insert(map, texture);
                 Ok(())
             }
         }
@@ -294,7 +299,7 @@ impl<'c> GlMachine<'c> {
     /// # Errors
     /// If there is no such map.
     pub fn read_colors(&self, map: Map) -> Result<Vec<[f32; 4]>> {
-        Ok(self.texture(map)?.read_colors(self.context.glow()))
+        Ok(self.texture(map)?.read_colors(self.context))
     }
 
     /// A depth map's depths, bottom row first.
@@ -302,7 +307,7 @@ impl<'c> GlMachine<'c> {
     /// # Errors
     /// If there is no such map.
     pub fn read_depths(&self, map: Map) -> Result<Vec<f32>> {
-        Ok(self.texture(map)?.read_depths(self.context.glow()))
+        Ok(self.texture(map)?.read_depths(self.context))
     }
 
     /// A depth map's stencil values, bottom row first; 0 where its format has none.
@@ -310,7 +315,7 @@ impl<'c> GlMachine<'c> {
     /// # Errors
     /// If there is no such map.
     pub fn read_stencils(&self, map: Map) -> Result<Vec<u8>> {
-        Ok(self.texture(map)?.read_stencils(self.context.glow()))
+        Ok(self.texture(map)?.read_stencils(self.context))
     }
 
     /// An integer map's texels, four numbers each, bottom row first; channels that it does not have are 0, or 1 for the
@@ -319,7 +324,7 @@ impl<'c> GlMachine<'c> {
     /// # Errors
     /// If there is no such map.
     pub fn read_integers(&self, map: Map) -> Result<Vec<[u32; 4]>> {
-        Ok(self.texture(map)?.read_integers(self.context.glow()))
+        Ok(self.texture(map)?.read_integers(self.context))
     }
 
     /// A map's first channel, bottom row first, as whole numbers.
@@ -327,7 +332,7 @@ impl<'c> GlMachine<'c> {
     /// # Errors
     /// If there is no such map.
     pub fn read_counts(&self, map: Map) -> Result<Vec<u32>> {
-        Ok(self.texture(map)?.read_counts(self.context.glow()))
+        Ok(self.texture(map)?.read_counts(self.context))
     }
 
     pub(super) fn texture(&self, map: Map) -> Result<Texture> {
@@ -352,6 +357,11 @@ impl Workspace for GlMachine<'_> {
 
 impl Drop for GlMachine<'_> {
     fn drop(&mut self) {
+        // In another context the names would be someone else's objects.
+        let Ok(_away) = self.context.enter() else {
+            return;
+        };
+        self.end_counting();
         self.free_classic();
         let gl = self.context.glow();
         // SAFETY: every object is the machine's own, and the context outlives the borrow.

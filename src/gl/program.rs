@@ -3,6 +3,7 @@
 use glow::HasContext;
 
 use super::glsl::Source;
+use super::making::{Making, named};
 use super::volumes::Constants;
 use crate::error::{Error, Result};
 use crate::scene::Shading;
@@ -25,17 +26,14 @@ impl Program {
     /// Links files of `glsl/`, one vertex shader and fragment shaders that complete each other. The context is current.
     /// Every file sees the constants as `#define`s.
     pub(super) fn link(
-        gl: &glow::Context,
+        making: &mut Making<'_>,
         files: &[&str],
         constants: &[(&'static str, u32)],
     ) -> Result<Self> {
-        let out = |what: String| Error::Driver {
-            what,
-            remedy: "the driver is out of memory or lost".into(),
-        };
+        let raw = making.program()?;
+        let gl = making.gl();
         // SAFETY: the context is current, and every object used here is made here.
         unsafe {
-            let raw = gl.create_program().map_err(out)?;
             for &file in files {
                 let kind = match file.rsplit('.').next() {
                     Some("vert") => glow::VERTEX_SHADER,
@@ -43,13 +41,12 @@ impl Program {
                     _ => glow::FRAGMENT_SHADER,
                 };
                 let source = Source::load_with(file, constants)?;
-                let shader = gl.create_shader(kind).map_err(out)?;
+                let shader = named("shader", gl.create_shader(kind))?;
                 gl.shader_source(shader, &source.text);
                 gl.compile_shader(shader);
                 if !gl.get_shader_compile_status(shader) {
                     let log = source.explain(&gl.get_shader_info_log(shader));
                     gl.delete_shader(shader);
-                    gl.delete_program(raw);
                     return Err(Error::Shader {
                         file: file.into(),
                         log,
@@ -62,7 +59,6 @@ impl Program {
             gl.link_program(raw);
             if !gl.get_program_link_status(raw) {
                 let log = gl.get_program_info_log(raw);
-                gl.delete_program(raw);
                 return Err(Error::Shader {
                     file: files.join(" with glsl/"),
                     log,
@@ -181,26 +177,32 @@ impl Linked {
         let fragment = format!("{name}.frag");
         let defines = key.defines();
         if ON_THE_SCREEN.contains(&name) {
-            return Ok(Self::Screen(Program::link(
-                gl,
-                &["screen.vert", &fragment],
-                &defines,
-            )?));
+            let mut making = Making::new(gl);
+            let files = ["screen.vert", &fragment];
+            let program = Program::link(&mut making, &files, &defines)?;
+            making.finish();
+            return Ok(Self::Screen(program));
         }
         let vertex = match name.split_once('/') {
             Some(("classic", _)) => "classic/vertex.vert",
             Some(("invariance", _)) => "invariance/vertex.vert",
             _ => "geometry.vert",
         };
-        let with =
-            |surface, constants: &[_]| Program::link(gl, &[vertex, &fragment, surface], constants);
-        let slice =
-            |slices: &Constants| with("surface/slice.frag", &[&defines[..], slices].concat());
-        Ok(Self::Surface(Surfaces {
+        let mut making = Making::new(gl);
+        let mut with = |surface, constants: &[_]| {
+            Program::link(&mut making, &[vertex, &fragment, surface], constants)
+        };
+        let surfaces = Surfaces {
             unlit: with("surface/unlit.frag", &defines)?,
             lit: with("surface/lit.frag", &defines)?,
-            slice: key.slices.as_ref().map(slice).transpose()?,
-        }))
+            slice: key
+                .slices
+                .as_ref()
+                .map(|slices| with("surface/slice.frag", &[&defines[..], slices].concat()))
+                .transpose()?,
+        };
+        making.finish();
+        Ok(Self::Surface(surfaces))
     }
 
     /// Every program.

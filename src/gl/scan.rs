@@ -7,6 +7,7 @@
 use glow::HasContext;
 
 use super::machine::GlMachine;
+use super::making::Making;
 use super::program::Program;
 use crate::error::Result;
 use crate::steps::{Call, Machine, Map, Storage};
@@ -38,12 +39,15 @@ pub(super) struct ScanPrograms {
 
 impl ScanPrograms {
     fn new(gl: &glow::Context) -> Result<Self> {
-        let link = |file| Program::link(gl, &[file], &[]);
-        Ok(Self {
+        let mut making = Making::new(gl);
+        let mut link = |file| Program::link(&mut making, &[file], &[]);
+        let programs = Self {
             gather: link("a_buffer/scan_gather.comp")?,
             reduce: link("a_buffer/scan_reduce.comp")?,
             spread: link("a_buffer/scan_spread.comp")?,
-        })
+        };
+        making.finish();
+        Ok(programs)
     }
 
     pub(super) fn delete(&self, gl: &glow::Context) {

@@ -4,6 +4,7 @@ use glow::HasContext;
 
 use super::context::Context;
 use super::machine::GlMachine;
+use super::making::{Making, allocate, no_room};
 use crate::error::{Error, Result};
 use crate::steps::Storage;
 
@@ -78,48 +79,41 @@ impl GlMachine<'_> {
         if self.storages.get(&storage).is_some_and(is_enough) {
             return Ok(());
         }
+        self.context.begin_making()?;
         self.free_storage(storage);
-        let no_room = |what: String| Error::Driver {
-            what: format!(
-                "the driver has no room for the {} of {bytes} bytes: {what}",
-                storage.0
-            ),
-            remedy: "render with a smaller byte budget, so that the image is made in more bands"
-                .into(),
-        };
-        let size = i32::try_from(bytes).map_err(|e| no_room(e.to_string()))?;
+        let what = format!("the {}", storage.0);
+        let size = i32::try_from(bytes)
+            .map_err(|_| no_room(&what, bytes, "glow addresses a buffer with 31 bits"))?;
         let gl = self.context.glow();
+        let mut making = Making::new(gl);
+        let raw = making.buffer()?;
         // SAFETY: the context is current; the buffer gets its storage before anything uses it.
-        let (raw, error) = unsafe {
-            let raw = gl.create_buffer().map_err(no_room)?;
+        unsafe {
             gl.bind_buffer(glow::SHADER_STORAGE_BUFFER, Some(raw));
-            gl.buffer_data_size(glow::SHADER_STORAGE_BUFFER, size, glow::DYNAMIC_COPY);
-            (raw, gl.get_error())
-        };
-        if error != glow::NO_ERROR {
-            // SAFETY: the buffer was made above and is nobody else's.
-            unsafe { gl.delete_buffer(raw) };
-            return Err(no_room(super::constants::error_name(error).into()));
+            allocate(gl, &what, bytes, || {
+                gl.buffer_data_size(glow::SHADER_STORAGE_BUFFER, size, glow::DYNAMIC_COPY);
+            })?;
         }
         let texture = texels
-            .map(|texels| {
+            .map(|texels| -> Result<_> {
                 let format = match texels {
                     Texels::R32Ui => glow::R32UI,
                     Texels::Rgba32Ui => glow::RGBA32UI,
                     Texels::Rgba32F => glow::RGBA32F,
                 };
+                let texture = making.texture()?;
                 // SAFETY: the context is current, and the buffer has its storage.
                 unsafe {
-                    let texture = gl.create_texture().map_err(no_room)?;
                     gl.active_texture(glow::TEXTURE15);
                     gl.bind_texture(glow::TEXTURE_BUFFER, Some(texture));
                     gl.tex_buffer(glow::TEXTURE_BUFFER, format, Some(raw));
                     gl.bind_texture(glow::TEXTURE_BUFFER, None);
                     gl.active_texture(glow::TEXTURE0);
-                    Ok((texels, texture))
                 }
+                Ok((texels, texture))
             })
             .transpose()?;
+        making.finish();
         let made = StorageBuffer {
             raw,
             texture,

@@ -2,7 +2,10 @@
 
 use glow::HasContext;
 
-use crate::error::{Error, Result};
+use super::context::Context;
+use super::making::{Making, allocate};
+use super::pixel_store::PixelStore;
+use crate::error::Result;
 use crate::steps::Format;
 
 /// GL's sized internal format.
@@ -34,31 +37,27 @@ pub(super) struct Texture {
 }
 
 impl Texture {
-    /// A texture, its contents undefined. The context is current.
-    pub(super) fn new(gl: &glow::Context, format: Format, size: [u32; 2]) -> Result<Self> {
-        let out_of_memory = |what: &dyn std::fmt::Display| Error::Driver {
-            what: format!(
-                "the driver has no room for a {} x {} texture ({format:?}): {what}",
-                size[0], size[1]
-            ),
-            remedy:
-                "render a smaller image, or composite layers on the fly instead of keeping them"
-                    .into(),
-        };
-        // SAFETY: the context is current.
-        let raw = unsafe { gl.create_texture() }.map_err(|e| out_of_memory(&e))?;
-        let [width, height] = size.map(|side| side as i32);
+    /// The texture of a map, its contents undefined. The context is current.
+    pub(super) fn new(
+        gl: &glow::Context,
+        name: &dyn std::fmt::Display,
+        format: Format,
+        size: [u32; 2],
+    ) -> Result<Self> {
+        let [width, height] = size;
+        let bytes = format.bytes() * u64::from(width) * u64::from(height);
+        let what = format!("the map '{name}', a {width} x {height} texture ({format:?})");
+        let mut making = Making::new(gl);
+        let raw = making.texture()?;
         // SAFETY: the texture is bound, and its size is within the driver's limit, which the machine has checked.
-        let error = bound(gl, raw, || unsafe {
-            gl.tex_storage_2d(glow::TEXTURE_2D, 1, internal(format), width, height);
-            gl.get_error()
-        });
-        if error == glow::NO_ERROR {
-            return Ok(Self { raw, format, size });
-        }
-        // SAFETY: the texture was made above and is nobody else's.
-        unsafe { gl.delete_texture(raw) };
-        Err(out_of_memory(&super::constants::error_name(error)))
+        bound(gl, raw, || {
+            allocate(gl, &what, bytes, || unsafe {
+                let [width, height] = size.map(|side| side as i32);
+                gl.tex_storage_2d(glow::TEXTURE_2D, 1, internal(format), width, height);
+            })
+        })?;
+        making.finish();
+        Ok(Self { raw, format, size })
     }
 
     /// Bytes of its texels.
@@ -67,10 +66,12 @@ impl Texture {
     }
 
     /// Sets a texture of fixed-point numbers to 0.
-    pub(super) fn clear(&self, gl: &glow::Context) {
+    pub(super) fn clear(&self, context: &Context) {
         let zeros = vec![0_u8; self.bytes() as usize];
         let [width, height] = self.size.map(|side| side as i32);
         let (format, kind) = (glow::RG, glow::UNSIGNED_SHORT);
+        let gl = context.glow();
+        let _tight = PixelStore::own(context);
         // SAFETY: the texture is bound and of format RG16, and there are as many zeros as it has bytes.
         bound(gl, self.raw, || unsafe {
             let zeros = glow::PixelUnpackData::Slice(Some(&zeros));
@@ -89,10 +90,10 @@ impl Texture {
     }
 
     /// A colour texture's texels as floats, bottom row first.
-    pub(super) fn read_colors(&self, gl: &glow::Context) -> Vec<[f32; 4]> {
+    pub(super) fn read_colors(&self, context: &Context) -> Vec<[f32; 4]> {
         let mut texels = vec![[0.0; 4]; (self.size[0] * self.size[1]) as usize];
         self.read(
-            gl,
+            context,
             glow::RGBA,
             glow::FLOAT,
             bytemuck::cast_slice_mut(&mut texels),
@@ -101,10 +102,10 @@ impl Texture {
     }
 
     /// A depth texture's depths, bottom row first.
-    pub(super) fn read_depths(&self, gl: &glow::Context) -> Vec<f32> {
+    pub(super) fn read_depths(&self, context: &Context) -> Vec<f32> {
         let mut texels = vec![0.0; (self.size[0] * self.size[1]) as usize];
         self.read(
-            gl,
+            context,
             glow::DEPTH_COMPONENT,
             glow::FLOAT,
             bytemuck::cast_slice_mut(&mut texels),
@@ -113,59 +114,69 @@ impl Texture {
     }
 
     /// A depth texture's stencil values, bottom row first; 0 where it has none.
-    pub(super) fn read_stencils(&self, gl: &glow::Context) -> Vec<u8> {
+    pub(super) fn read_stencils(&self, context: &Context) -> Vec<u8> {
         let mut texels = vec![0; (self.size[0] * self.size[1]) as usize];
         if self.format.has_stencil() {
-            self.read(gl, glow::STENCIL_INDEX, glow::UNSIGNED_BYTE, &mut texels);
+            self.read(
+                context,
+                glow::STENCIL_INDEX,
+                glow::UNSIGNED_BYTE,
+                &mut texels,
+            );
         }
         texels
     }
 
     /// An integer texture's texels, bottom row first.
-    pub(super) fn read_integers(&self, gl: &glow::Context) -> Vec<[u32; 4]> {
+    pub(super) fn read_integers(&self, context: &Context) -> Vec<[u32; 4]> {
         let mut texels = vec![[0; 4]; (self.size[0] * self.size[1]) as usize];
         let into = bytemuck::cast_slice_mut(&mut texels);
-        self.read(gl, glow::RGBA_INTEGER, glow::UNSIGNED_INT, into);
+        self.read(context, glow::RGBA_INTEGER, glow::UNSIGNED_INT, into);
         texels
     }
 
     /// The first channel of a texture that counts, bottom row first.
-    pub(super) fn read_counts(&self, gl: &glow::Context) -> Vec<u32> {
+    pub(super) fn read_counts(&self, context: &Context) -> Vec<u32> {
         let mut counts = vec![0_u32; (self.size[0] * self.size[1]) as usize];
         let into: &mut [u8] = bytemuck::cast_slice_mut(&mut counts);
         match self.format {
             Format::R32F => {
-                self.read(gl, glow::RED, glow::FLOAT, into);
+                self.read(context, glow::RED, glow::FLOAT, into);
                 counts
                     .iter_mut()
                     .for_each(|count| *count = f32::from_bits(*count) as u32);
             }
             Format::Depth32FStencil8 | Format::Depth24Stencil8 => {
-                return self.read_stencils(gl).into_iter().map(u32::from).collect();
+                return self
+                    .read_stencils(context)
+                    .into_iter()
+                    .map(u32::from)
+                    .collect();
             }
-            _ => self.read(gl, glow::RED_INTEGER, glow::UNSIGNED_INT, into),
+            _ => self.read(context, glow::RED_INTEGER, glow::UNSIGNED_INT, into),
         }
         counts
     }
 
-    fn read(&self, gl: &glow::Context, format: u32, kind: u32, into: &mut [u8]) {
-        // SAFETY: the texture is bound, and `into` holds one texel of `format` and `kind` for each of its.
+    fn read(&self, context: &Context, format: u32, kind: u32, into: &mut [u8]) {
+        let gl = context.glow();
+        let _tight = PixelStore::own(context);
+        // SAFETY: the texture is bound, and `into` holds one texel of `format` and `kind` for each of its, tightly packed.
         bound(gl, self.raw, || unsafe {
-            gl.pixel_store_i32(glow::PACK_ALIGNMENT, 1);
             let into = glow::PixelPackData::Slice(Some(into));
             gl.get_tex_image(glow::TEXTURE_2D, 0, format, kind, into);
         });
     }
 }
 
-impl super::context::Context {
+impl Context {
     /// Bits of alpha per texel, as the driver counts them.
     ///
     /// # Errors
     /// If the driver has no room for a texel.
     pub fn alpha_bits(&self, format: Format) -> Result<u32> {
         let gl = self.glow();
-        let texture = Texture::new(gl, format, [1, 1])?;
+        let texture = Texture::new(gl, &"one texel", format, [1, 1])?;
         // SAFETY: the texture is bound, has a level 0, and is deleted after it has been asked.
         let bits = bound(gl, texture.raw, || unsafe {
             gl.get_tex_level_parameter_i32(glow::TEXTURE_2D, 0, glow::TEXTURE_ALPHA_SIZE)
@@ -179,13 +190,14 @@ impl super::context::Context {
 /// Does something with a texture bound, on a texture unit that no listing uses, so that a listing's bindings stay.
 fn bound<T>(gl: &glow::Context, texture: glow::Texture, work: impl FnOnce() -> T) -> T {
     const UNIT: u32 = glow::TEXTURE15;
-    // SAFETY: the context is current; OpenGL 4.3 has at least 80 texture units; the active one is put back.
+    // SAFETY: the context is current; OpenGL 4.3 has at least 80 texture units; the active one and its texture are put back.
     unsafe {
         let active = gl.get_parameter_i32(glow::ACTIVE_TEXTURE) as u32;
         gl.active_texture(UNIT);
+        let before = gl.get_parameter_texture(glow::TEXTURE_BINDING_2D);
         gl.bind_texture(glow::TEXTURE_2D, Some(texture));
         let result = work();
-        gl.bind_texture(glow::TEXTURE_2D, None);
+        gl.bind_texture(glow::TEXTURE_2D, before);
         gl.active_texture(active);
         result
     }

@@ -4,7 +4,8 @@ use glow::HasContext;
 
 use super::driver::{LOST_ATOMICS, Trap};
 use super::machine::GlMachine;
-use crate::error::{Error, Result};
+use super::making::{Making, allocate};
+use crate::error::Result;
 use crate::steps::{Call, Format, Machine, Map, Objects, Shader, Target};
 
 const COLOR: Map = Map::named("trap color");
@@ -19,6 +20,8 @@ impl GlMachine<'_> {
         // Enough full-screen triangles for the driver to bin several of them for each of its tiles.
         const DRAWS: u32 = 16;
         let [width, height] = self.size();
+        let context = self.context;
+        let _visit = context.visit()?;
         let counted = self.count_invocations(DRAWS)?;
         Ok(if counted == DRAWS * width * height {
             vec![]
@@ -33,18 +36,17 @@ impl GlMachine<'_> {
         self.begin_frame();
         self.allocate(COLOR, Format::Rgba8)?;
         self.target(TARGET, Some(COLOR), None)?;
-        let out = |what: String| Error::Driver {
-            what,
-            remedy: "the driver is out of memory or lost".into(),
-        };
         let gl = self.context().glow();
+        // Deleted at the end, and wherever a step fails.
+        let mut making = Making::new(gl);
+        let counter = making.buffer()?;
         // SAFETY: the context is current, and the buffer has its storage before the shader adds to it.
-        let counter = unsafe {
-            let counter = gl.create_buffer().map_err(out)?;
+        unsafe {
             gl.bind_buffer_base(glow::SHADER_STORAGE_BUFFER, 0, Some(counter));
-            gl.buffer_data_u8_slice(glow::SHADER_STORAGE_BUFFER, &[0; 4], glow::DYNAMIC_READ);
-            counter
-        };
+            allocate(gl, "the counter of invocations", 4, || {
+                gl.buffer_data_u8_slice(glow::SHADER_STORAGE_BUFFER, &[0; 4], glow::DYNAMIC_READ);
+            })?;
+        }
         self.perform(&Call::UseProgram {
             program: Shader("trap"),
         })?;
@@ -54,7 +56,7 @@ impl GlMachine<'_> {
             })?;
         }
         let mut counted = 0_u32;
-        // SAFETY: the shader's writes are waited for; the buffer is deleted once it has been read.
+        // SAFETY: the shader's writes are waited for.
         unsafe {
             gl.memory_barrier(glow::BUFFER_UPDATE_BARRIER_BIT);
             gl.get_buffer_sub_data(
@@ -62,7 +64,6 @@ impl GlMachine<'_> {
                 0,
                 bytemuck::bytes_of_mut(&mut counted),
             );
-            gl.delete_buffer(counter);
         }
         Ok(counted)
     }

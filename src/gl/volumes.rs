@@ -5,6 +5,8 @@ use glow::HasContext;
 
 use super::context::Context;
 use super::machine::GlMachine;
+use super::making::{allocate, named, no_room};
+use super::pixel_store::PixelStore;
 use super::storage::Texels;
 use crate::error::{Error, Result};
 use crate::scene::{Scene, TransferPoint, Volume};
@@ -138,30 +140,29 @@ impl<'c> GlMachine<'c> {
 impl VolumeTextures<'_> {
     fn add(&mut self, volume: &Volume) -> Result<()> {
         let dims = volume.dims();
-        let no_room = |what: String| Error::Driver {
-            what: format!(
-                "the driver has no room for the volume '{}' of {} x {} x {} samples: {what}",
-                volume.name, dims[0], dims[1], dims[2]
-            ),
-            remedy: "render a smaller volume, or with -m exact".into(),
-        };
+        let bytes = volume.samples().len() as u64 * 4;
+        let what = format!(
+            "the volume '{}' of {} x {} x {} samples",
+            volume.name, dims[0], dims[1], dims[2]
+        );
         let most = self.context.driver().limit("GL_MAX_3D_TEXTURE_SIZE");
         if dims.iter().any(|&side| side as i64 > most) {
-            return Err(no_room(format!(
-                "a side may have {most} samples at the most"
-            )));
+            let why = format!("a side may have {most} samples at the most");
+            return Err(no_room(&what, bytes, &why));
         }
         let [width, height, depth] = dims.map(|side| side as i32);
         let gl = self.context.glow();
+        let _tight = PixelStore::own(self.context);
         // SAFETY: the context is current, and there are as many samples as the texture has texels.
-        let error = unsafe {
-            let raw = gl.create_texture().map_err(no_room)?;
+        unsafe {
+            let raw = named("texture", gl.create_texture())?;
             self.textures.push(raw);
             gl.active_texture(glow::TEXTURE15);
             gl.bind_texture(glow::TEXTURE_3D, Some(raw));
-            gl.tex_storage_3d(glow::TEXTURE_3D, 1, glow::R32F, width, height, depth);
-            let error = gl.get_error();
-            if error == glow::NO_ERROR {
+            let room = allocate(gl, &what, bytes, || {
+                gl.tex_storage_3d(glow::TEXTURE_3D, 1, glow::R32F, width, height, depth);
+            });
+            if room.is_ok() {
                 let samples = bytemuck::cast_slice(volume.samples());
                 let samples = glow::PixelUnpackData::Slice(Some(samples));
                 gl.tex_sub_image_3d(
@@ -180,12 +181,9 @@ impl VolumeTextures<'_> {
             }
             gl.bind_texture(glow::TEXTURE_3D, None);
             gl.active_texture(glow::TEXTURE0);
-            error
-        };
-        if error != glow::NO_ERROR {
-            return Err(no_room(super::constants::error_name(error).into()));
+            room?;
         }
-        self.bytes += volume.samples().len() as u64 * 4;
+        self.bytes += bytes;
         Ok(())
     }
 }
@@ -241,6 +239,10 @@ fn places(scene: &Scene, [width, height]: [u32; 2], spacing: f64) -> Vec<f32> {
 
 impl Drop for VolumeTextures<'_> {
     fn drop(&mut self) {
+        // In another context the names would be someone else's objects.
+        let Ok(_away) = self.context.enter() else {
+            return;
+        };
         for &texture in &self.textures {
             // SAFETY: the texture is this one's own, and the context outlives the borrow.
             unsafe { self.context.glow().delete_texture(texture) };

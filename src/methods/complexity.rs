@@ -107,6 +107,7 @@ impl Renderer<'_> {
     /// # Errors
     /// What the driver cannot do.
     pub fn complexity(&mut self, scene: &Scene, by: CountBy) -> Result<Complexity> {
+        let _visit = self.machine.context().visit()?;
         self.set_up(scene)?;
         self.begin(scene)?;
         let machine = &mut self.machine;
@@ -128,6 +129,7 @@ impl Renderer<'_> {
         };
         let [width, height] = machine.size();
         let bottom_up = machine.read_counts(map)?;
+        machine.expect_no_error("while layers were counted")?;
         let rows = bottom_up.chunks_exact(width as usize).rev();
         Ok(Complexity {
             width,

@@ -90,6 +90,7 @@ fn submitted(context: &Context, scene: &Scene) -> Result<Vec<u32>> {
     const IMAGE: Map = Map::named("image");
     const AT_A_TIME: u32 = 2 << 20;
     let [width, height] = scene.size;
+    let _visit = context.visit()?;
     let mut machine = GlMachine::new(context, scene.size)?;
     machine.allocate(IMAGE, Format::Rgba8)?;
     machine.allocate(OPAQUE_DEPTH, Format::Depth32FStencil8)?;

@@ -57,6 +57,9 @@ pub struct Frame {
     pub hanging: Option<Hanging>,
     /// The counts, and the time.
     pub stats: Stats,
+    /// What happened besides that the caller should know of, though it is not in the image: errors that OpenGL had pending
+    /// before the frame, in someone else's context.
+    pub notices: Vec<String>,
 }
 
 /// One peeled layer.
@@ -181,6 +184,7 @@ impl<'c> Renderer<'c> {
     /// # Errors
     /// What the method or the driver cannot do.
     pub fn render(&mut self, scene: &Scene, method: &Method) -> Result<Frame> {
+        let _visit = self.machine.context().visit()?;
         let shown = self.set_up_for(scene, method)?;
         let scene = &*shown.scene;
         let mut algorithm = self.prepare(&shown, method)?;
@@ -196,6 +200,7 @@ impl<'c> Renderer<'c> {
     /// # Errors
     /// As [`Renderer::render`].
     pub fn measure(&mut self, scene: &Scene, method: &Method, frames: usize) -> Result<Frame> {
+        let _visit = self.machine.context().visit()?;
         let shown = self.set_up_for(scene, method)?;
         let scene = &*shown.scene;
         let mut algorithm = self.prepare(&shown, method)?;
@@ -372,6 +377,9 @@ impl<'c> Renderer<'c> {
             Composited::AllBut(left) => Some(left),
             Composited::Unknown => None,
         };
+        // Without it, what a driver had no room for would only be missing in the image.
+        self.machine
+            .expect_no_error(&format!("while {method} rendered the frame"))?;
         let stats = Stats {
             method: method.to_string(),
             iterations: drawn.iterations,
@@ -391,6 +399,7 @@ impl<'c> Renderer<'c> {
             layers,
             hanging: drawn.hanging,
             stats,
+            notices: notices(self.machine.context()),
         })
     }
 
@@ -437,4 +446,15 @@ fn depth_buffer(camera: &Camera, size: [u32; 2], format: Format) -> DepthBuffer 
         Format::Depth16 => float.with_bits(16),
         _ => float,
     }
+}
+
+/// Errors of someone else's, in words.
+fn notices(context: &Context) -> Vec<String> {
+    let errors = context.foreign_errors();
+    let notice = |error| {
+        format!(
+            "OpenGL had {error} pending before the frame: it is of a call that was made before, and is taken note of here"
+        )
+    };
+    errors.into_iter().map(notice).collect()
 }

@@ -4,6 +4,7 @@ use glow::HasContext;
 
 use super::super::constants::compare;
 use super::super::machine::GlMachine;
+use super::super::making::{Making, allocate, named};
 use super::super::program::Linked;
 use super::super::texture::{Texture, internal};
 use super::state::{ClassicState, TextureUnit, UNITS};
@@ -54,16 +55,19 @@ impl GlMachine<'_> {
             _ => {
                 // SAFETY: the context is current; the texture is bound before it gets its storage.
                 let raw = unsafe {
-                    let raw = gl.create_texture().map_err(|what| Error::Driver {
-                        what,
-                        remedy: "the driver is out of memory or lost".into(),
-                    })?;
+                    let mut making = Making::new(gl);
+                    let raw = making.texture()?;
                     gl.active_texture(glow::TEXTURE0 + RECTANGLE);
                     gl.bind_texture(glow::TEXTURE_RECTANGLE, Some(raw));
-                    let format = internal(source.format);
-                    gl.tex_storage_2d(glow::TEXTURE_RECTANGLE, 1, format, width, height);
+                    let what = format!("the rectangle texture '{to}'");
+                    let room = allocate(gl, &what, source.bytes(), || {
+                        let format = internal(source.format);
+                        gl.tex_storage_2d(glow::TEXTURE_RECTANGLE, 1, format, width, height);
+                    });
                     gl.bind_texture(glow::TEXTURE_RECTANGLE, None);
                     gl.active_texture(glow::TEXTURE0);
+                    room?;
+                    making.finish();
                     raw
                 };
                 if let Some((old, _)) = self.classic.rectangles.insert(to, (raw, source.format)) {
@@ -233,10 +237,7 @@ impl GlMachine<'_> {
         while self.classic.samplers.len() < UNITS {
             // SAFETY: the context is current, and the sampler is set up before it is used.
             let sampler = unsafe {
-                let sampler = gl.create_sampler().map_err(|what| Error::Driver {
-                    what,
-                    remedy: "the driver is out of memory or lost".into(),
-                })?;
+                let sampler = named("sampler", gl.create_sampler())?;
                 for (name, value) in [
                     (glow::TEXTURE_MIN_FILTER, glow::NEAREST),
                     (glow::TEXTURE_MAG_FILTER, glow::NEAREST),
@@ -258,8 +259,8 @@ impl GlMachine<'_> {
         if let Some(texture) = self.classic.hilo {
             return Ok(texture);
         }
-        let texture = Texture::new(self.context.glow(), Format::Rg16, [1, 1])?;
-        texture.clear(self.context.glow());
+        let texture = Texture::new(self.context.glow(), &"HILO", Format::Rg16, [1, 1])?;
+        texture.clear(self.context);
         self.classic.hilo = Some(texture);
         Ok(texture)
     }

@@ -1,11 +1,13 @@
 //! EGL: Mesa's surfaceless platform first, then each EGL device.
 
 use std::ffi::c_void;
+use std::rc::Rc;
 use std::sync::OnceLock;
 
 use khronos_egl as egl;
 
-use super::{Attempt, Current, Profile, with_reasons};
+use super::current::Current;
+use super::{Attempt, Profile, with_reasons};
 
 type Instance = egl::DynamicInstance<egl::EGL1_5>;
 
@@ -27,10 +29,7 @@ struct EglContext {
 }
 
 /// Opens a context on the first display that gives one. Displays that did not are added to `tried`.
-pub(super) fn open(
-    profile: Profile,
-    tried: &mut Vec<Attempt>,
-) -> Result<Box<dyn Current>, Attempt> {
+pub(super) fn open(profile: Profile, tried: &mut Vec<Attempt>) -> Result<Rc<dyn Current>, Attempt> {
     let attempt = |what: &str, answer: String| Attempt {
         what: format!("egl, {what}"),
         answer,
@@ -41,7 +40,7 @@ pub(super) fn open(
         match display.and_then(|display| on_display(instance, display, profile)) {
             Ok((display, context)) => {
                 tried.append(&mut failures);
-                return Ok(Box::new(EglContext {
+                return Ok(Rc::new(EglContext {
                     instance,
                     display,
                     context,
@@ -170,6 +169,59 @@ impl Current for EglContext {
         self.instance
             .get_proc_address(name)
             .map_or(std::ptr::null(), |function| function as *const c_void)
+    }
+
+    fn is_current(&self) -> bool {
+        self.instance.get_current_context() == Some(self.context)
+    }
+
+    fn make_current(&self) -> Result<(), String> {
+        // The API is chosen for each thread, and a host may have chosen OpenGL ES.
+        let bound = self.instance.bind_api(egl::OPENGL_API);
+        bound.map_err(|e| format!("eglBindAPI: {e}"))?;
+        self.instance
+            .make_current(self.display, None, None, Some(self.context))
+            .map_err(|e| format!("eglMakeCurrent: {e}"))
+    }
+
+    fn release(&self) {
+        let _ = self.instance.make_current(self.display, None, None, None);
+    }
+}
+
+/// A context that someone else has made current, and what it draws to.
+pub(super) struct Binding {
+    api: egl::Enum,
+    display: egl::Display,
+    surfaces: [Option<egl::Surface>; 2],
+    context: egl::Context,
+}
+
+/// Leaves the context that EGL has current on this thread, if it has one.
+pub(super) fn leave() -> Option<Binding> {
+    let instance = LIBRARY.get()?;
+    let context = instance.get_current_context()?;
+    let display = instance.get_current_display()?;
+    let surfaces = [egl::DRAW, egl::READ].map(|which| instance.get_current_surface(which));
+    let api = instance.query_api();
+    instance.make_current(display, None, None, None).ok()?;
+    Some(Binding {
+        api,
+        display,
+        surfaces,
+        context,
+    })
+}
+
+impl Binding {
+    pub(super) fn come_back(self) {
+        let Some(instance) = LIBRARY.get() else {
+            return;
+        };
+        let [draw, read] = self.surfaces;
+        // A host whose context cannot come back finds out with its next call; nobody can be told here.
+        let _ = instance.bind_api(self.api);
+        let _ = instance.make_current(self.display, draw, read, Some(self.context));
     }
 }
 

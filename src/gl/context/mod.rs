@@ -3,18 +3,33 @@
 //! Neither library is linked; both are loaded when a context is asked for, so that building, and everything that needs
 //! no GL, works on a machine without Mesa.
 
+mod current;
 mod egl;
+mod guest;
+mod native;
 mod osmesa;
+mod variables;
 
+use std::cell::{Cell, OnceCell, RefCell};
 use std::fmt;
 use std::marker::PhantomData;
+use std::rc::Rc;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
+use self::current::Current;
+use self::native::Native;
 use crate::error::{Attempt, Error, Result};
 use crate::gl::driver::Driver;
+use crate::gl::host::More;
+
+pub(in crate::gl) use self::current::Away;
+pub use self::variables::suspect_variables;
 
 /// The lowest version the methods can do with: shader storage buffers and image atomics are core from here.
 const LOWEST_VERSION: (u32, u32) = (4, 3);
+
+/// And of the shading language.
+const LOWEST_SHADING_LANGUAGE: (u32, u32) = (4, 30);
 
 /// Names the environment variable that chooses the backend.
 const BACKEND_VARIABLE: &str = "ONIONSKIN_BACKEND";
@@ -47,22 +62,25 @@ pub struct ContextOptions {
     pub profile: Profile,
 }
 
-/// An OpenGL context, current on this thread for as long as it lives.
+/// An OpenGL context of one thread; it cannot be sent to another.
 ///
-/// It cannot be sent to another thread. Of several contexts of one thread the last one made is current; let go of one
-/// before using another.
+/// A thread may have several. What works in a context makes it current first, if it is onionskin's own: a
+/// [`Renderer`](crate::Renderer) gives back what was current before, even a context that a host has made current by EGL; the
+/// calls of a [`GlMachine`](crate::gl::GlMachine) leave theirs current. Of someone else's context see [`Context::from_glow`].
 pub struct Context {
     gl: Arc<glow::Context>,
     driver: Driver,
-    current: Option<Box<dyn Current>>,
+    /// Nothing of someone else's.
+    current: Option<Rc<dyn Current>>,
     backend: Option<Backend>,
+    /// Someone else's, as far as it can be known.
+    native: Option<Native>,
+    more: OnceCell<More>,
+    /// How many visits are going on, one within the other.
+    visits: Cell<u32>,
+    /// OpenGL's errors of calls that were not onionskin's.
+    foreign: RefCell<Vec<String>>,
     _not_send: PhantomData<*const ()>,
-}
-
-/// What keeps a context alive and current; ends it when dropped.
-trait Current {
-    /// Where the functions are.
-    fn function(&self, name: &str) -> *const std::ffi::c_void;
 }
 
 impl Context {
@@ -93,33 +111,8 @@ impl Context {
                 Err(attempt) => tried.push(attempt),
             }
         }
+        tried.extend(suspect_variables());
         Err(Error::NoContext { tried })
-    }
-
-    /// Someone else's context, as egui_glow or three-d have it. It must be current on this thread, stay so while the
-    /// returned value is used, and offer OpenGL 4.3.
-    ///
-    /// # Errors
-    /// If its version is too low.
-    pub fn from_glow(gl: Arc<glow::Context>) -> Result<Self> {
-        let driver = Driver::read(&gl);
-        if driver.version < LOWEST_VERSION || driver.embedded {
-            let what = format!(
-                "this context is {}; onionskin needs OpenGL 4.3",
-                driver.version_text
-            );
-            return Err(Error::usage(
-                what,
-                "create the context with OpenGL 4.3 core or later",
-            ));
-        }
-        Ok(Self {
-            gl,
-            driver,
-            current: None,
-            backend: None,
-            _not_send: PhantomData,
-        })
     }
 
     /// How it was made; nothing for someone else's.
@@ -133,21 +126,42 @@ impl Context {
     }
 
     /// A function by its name, for those that glow does not have; null if there is none, or if the context is someone
-    /// else's.
+    /// else's and it is not known whose.
     pub(in crate::gl) fn function(&self, name: &str) -> *const std::ffi::c_void {
-        let current = self.current.as_ref();
-        current.map_or(std::ptr::null(), |current| current.function(name))
+        match (&self.current, &self.native) {
+            (Some(current), _) => current.function(name),
+            (None, Some(native)) => native.function(name),
+            (None, None) => std::ptr::null(),
+        }
     }
 
-    /// The functions.
+    /// The functions that glow does not have.
+    pub(in crate::gl) fn more(&self) -> &More {
+        self.more.get_or_init(|| More::load(self))
+    }
+
+    /// The functions. The context is made current, if it is onionskin's own.
     pub fn glow(&self) -> &glow::Context {
+        if let Some(current) = &self.current
+            && !current::is_current(current)
+        {
+            // Left as it is: the caller works with it from now on. A context of one's own thread can always be made
+            // current; where the driver is lost, its next answers say so.
+            std::mem::forget(current::enter(current));
+        }
         &self.gl
+    }
+
+    /// Whether objects of the one are objects of the other.
+    pub(in crate::gl) fn is(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.gl, &other.gl)
     }
 }
 
 impl Drop for Context {
     fn drop(&mut self) {
         let _one_at_a_time = one_at_a_time();
+        // Ends it, and releases it if it is current.
         self.current = None;
     }
 }
@@ -163,6 +177,7 @@ fn from_environment() -> Result<Option<Backend>> {
 /// returned.
 fn open(backend: Backend, profile: Profile, tried: &mut Vec<Attempt>) -> Result<Context, Attempt> {
     let _one_at_a_time = one_at_a_time();
+    let before = current::set_aside();
     let current = match backend {
         Backend::Egl => egl::open(profile, tried)?,
         Backend::OsMesa => osmesa::open(profile)?,
@@ -170,22 +185,41 @@ fn open(backend: Backend, profile: Profile, tried: &mut Vec<Attempt>) -> Result<
     // SAFETY: the context was just made current on this thread, so its functions may be looked up and called.
     let gl = unsafe { glow::Context::from_loader_function(|name| current.function(name)) };
     let driver = Driver::read(&gl);
-    if driver.version < LOWEST_VERSION {
+    if let Some(answer) = too_low(&driver) {
         return Err(Attempt {
             what: backend.to_string(),
-            answer: format!(
-                "the driver offers only OpenGL {}; onionskin needs 4.3",
-                driver.version_text
-            ),
+            answer,
         });
     }
-    Ok(Context {
-        gl: Arc::new(gl),
-        driver,
-        current: Some(current),
-        backend: Some(backend),
-        _not_send: PhantomData,
-    })
+    before.forget();
+    current::remember(&current);
+    let mut context = Context::around(Arc::new(gl), driver);
+    (context.backend, context.current) = (Some(backend), Some(current));
+    Ok(context)
+}
+
+/// What is wrong with a driver that offers too little.
+fn too_low(driver: &Driver) -> Option<String> {
+    let Driver {
+        version,
+        version_text,
+        shading_language,
+        ..
+    } = driver;
+    if *version < LOWEST_VERSION || driver.embedded {
+        let hides = variables::hides(variables::VERSION);
+        Some(format!(
+            "the driver offers only OpenGL {version_text}; onionskin needs 4.3{hides}"
+        ))
+    } else if *shading_language < LOWEST_SHADING_LANGUAGE {
+        let (major, minor) = shading_language;
+        let hides = variables::hides(variables::SHADING_LANGUAGE);
+        Some(format!(
+            "the driver offers only version {major}.{minor:02} of the shading language; onionskin needs 4.30{hides}"
+        ))
+    } else {
+        None
+    }
 }
 
 /// Held while a context is made or ended. Drivers promise that contexts of several threads may live side by side; that

@@ -1,10 +1,13 @@
 //! OSMesa: Mesa into a piece of main memory, with no window system and no EGL at all.
 
+use std::cell::RefCell;
 use std::ffi::{CString, c_int, c_uchar, c_uint, c_void};
+use std::rc::Rc;
 
 use libloading::Library;
 
-use super::{Attempt, Current, Profile, with_reasons};
+use super::current::Current;
+use super::{Attempt, Profile, variables, with_reasons};
 
 const LIBRARIES: [&str; 3] = ["libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"];
 
@@ -27,21 +30,27 @@ type CreateContextAttribs = unsafe extern "C" fn(*const c_int, *mut c_void) -> *
 type MakeCurrent = unsafe extern "C" fn(*mut c_void, *mut c_void, c_uint, c_int, c_int) -> c_uchar;
 type GetProcAddress = unsafe extern "C" fn(*const std::ffi::c_char) -> *const c_void;
 type DestroyContext = unsafe extern "C" fn(*mut c_void);
+type GetCurrentContext = unsafe extern "C" fn() -> *mut c_void;
 
 struct OsMesaContext {
     context: *mut c_void,
     get_proc_address: GetProcAddress,
+    get_current: GetCurrentContext,
+    make_current: MakeCurrent,
     destroy: DestroyContext,
-    // What OSMesa would draw into; it keeps the address.
-    _buffer: Vec<u8>,
+    /// What OSMesa would draw into; it keeps the address.
+    buffer: RefCell<Vec<u8>>,
 }
 
 /// Opens a context.
-pub(super) fn open(profile: Profile) -> Result<Box<dyn Current>, Attempt> {
+pub(super) fn open(profile: Profile) -> Result<Rc<dyn Current>, Attempt> {
     let attempt = |what: &str, answer: String| Attempt {
         what: format!("osmesa, {what}"),
         answer,
     };
+    if let Some(why) = variables::crashes_osmesa() {
+        return Err(attempt("OSMesaCreateContextAttribs", why));
+    }
     let library = load().map_err(|answer| attempt("loading libOSMesa.so.8", answer))?;
     let missing = |e: libloading::Error| attempt("looking up its functions", with_reasons(&e));
     // SAFETY: Mesa's osmesa.h gives these functions these signatures.
@@ -56,6 +65,9 @@ pub(super) fn open(profile: Profile) -> Result<Box<dyn Current>, Attempt> {
     // SAFETY: as above.
     let get_proc_address: GetProcAddress =
         unsafe { *library.get(b"OSMesaGetProcAddress\0").map_err(missing)? };
+    // SAFETY: as above.
+    let get_current: GetCurrentContext =
+        unsafe { *library.get(b"OSMesaGetCurrentContext\0").map_err(missing)? };
     // SAFETY: as above.
     let destroy: DestroyContext =
         unsafe { *library.get(b"OSMesaDestroyContext\0").map_err(missing)? };
@@ -91,30 +103,17 @@ pub(super) fn open(profile: Profile) -> Result<Box<dyn Current>, Attempt> {
             )
         })?;
 
-    let mut buffer = vec![0; (SIDE * SIDE * 4) as usize];
-    // SAFETY: the context was just created, and the buffer holds SIDE x SIDE RGBA bytes and lives as long as it.
-    let made = unsafe {
-        make_current(
-            context,
-            buffer.as_mut_ptr().cast(),
-            GL_UNSIGNED_BYTE,
-            SIDE,
-            SIDE,
-        )
-    };
-    let current = OsMesaContext {
+    let made = Rc::new(OsMesaContext {
         context,
         get_proc_address,
+        get_current,
+        make_current,
         destroy,
-        _buffer: buffer,
-    };
-    if made == 0 {
-        return Err(attempt(
-            "OSMesaMakeCurrent",
-            "it refused its own context".into(),
-        ));
-    }
-    Ok(Box::new(current))
+        buffer: RefCell::new(vec![0; (SIDE * SIDE * 4) as usize]),
+    });
+    let current = made.make_current();
+    current.map_err(|answer| attempt("OSMesaMakeCurrent", answer))?;
+    Ok(made)
 }
 
 fn load() -> Result<Library, String> {
@@ -138,10 +137,41 @@ impl Current for OsMesaContext {
         // SAFETY: the name is a C string.
         unsafe { (self.get_proc_address)(name.as_ptr()) }
     }
+
+    fn is_current(&self) -> bool {
+        // SAFETY: it only reads what this thread has.
+        (unsafe { (self.get_current)() }) == self.context
+    }
+
+    fn make_current(&self) -> Result<(), String> {
+        let mut buffer = self.buffer.borrow_mut();
+        // SAFETY: the context is ours, and the buffer holds SIDE x SIDE RGBA bytes and lives as long as it.
+        let made = unsafe {
+            (self.make_current)(
+                self.context,
+                buffer.as_mut_ptr().cast(),
+                GL_UNSIGNED_BYTE,
+                SIDE,
+                SIDE,
+            )
+        };
+        if made == 0 {
+            return Err("it refused its own context".into());
+        }
+        Ok(())
+    }
+
+    fn release(&self) {
+        // SAFETY: without a context and a buffer nothing is current afterwards.
+        unsafe { (self.make_current)(std::ptr::null_mut(), std::ptr::null_mut(), 0, 0, 0) };
+    }
 }
 
 impl Drop for OsMesaContext {
     fn drop(&mut self) {
+        if self.is_current() {
+            self.release();
+        }
         // SAFETY: the context is ours, and nobody uses it after this.
         unsafe { (self.destroy)(self.context) };
     }

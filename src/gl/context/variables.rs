@@ -1,0 +1,96 @@
+//! Environment variables that change which OpenGL there is, so that an error can say which of them is to blame.
+
+use super::Attempt;
+
+/// What each of them tells Mesa, or the library that looks for Mesa.
+const VARIABLES: [(&str, &str); 13] = [
+    ("GALLIUM_DRIVER", "chooses Mesa's driver"),
+    ("MESA_LOADER_DRIVER_OVERRIDE", "chooses Mesa's driver"),
+    (VERSION, "has Mesa offer another OpenGL than the driver has"),
+    (
+        SHADING_LANGUAGE,
+        "has Mesa offer another shading language than the driver has",
+    ),
+    ("MESA_EXTENSION_OVERRIDE", "adds and takes away extensions"),
+    (
+        "LIBGL_DRIVERS_PATH",
+        "says where Mesa looks for its drivers",
+    ),
+    ("LIBGL_DRIVERS_DIR", "says where Mesa looks for its drivers"),
+    (
+        "LIBGL_ALWAYS_SOFTWARE",
+        "chooses between software and hardware",
+    ),
+    ("EGL_PLATFORM", "chooses EGL's platform"),
+    ("__EGL_VENDOR_LIBRARY_FILENAMES", "says which EGL there is"),
+    ("__EGL_VENDOR_LIBRARY_DIRS", "says where to look for an EGL"),
+    ("DRI_PRIME", "chooses the GPU"),
+    ("DRAW_USE_LLVM", "takes away what Mesa draws vertices with"),
+];
+
+/// Has Mesa offer another version.
+pub(super) const VERSION: &str = "MESA_GL_VERSION_OVERRIDE";
+/// The same of the shading language.
+pub(super) const SHADING_LANGUAGE: &str = "MESA_GLSL_VERSION_OVERRIDE";
+
+/// The drivers that Mesa's OSMesa has. Told to take any other it follows a null pointer.
+const OF_OSMESA: [&str; 2] = ["llvmpipe", "softpipe"];
+
+/// Those that are set, as `NAME=value`, with what they do.
+fn set() -> impl Iterator<Item = (String, &'static str)> {
+    VARIABLES
+        .iter()
+        .filter_map(|(name, effect)| Some((assignment(name)?, *effect)))
+}
+
+/// `NAME=value`, if it is set to something.
+pub(super) fn assignment(name: &str) -> Option<String> {
+    let value = std::env::var_os(name).filter(|value| !value.is_empty())?;
+    Some(format!("{name}={}", value.to_string_lossy().escape_debug()))
+}
+
+/// The environment variables that are set and change which OpenGL there is, each with what it does and what to do about
+/// it.
+pub fn suspect_variables() -> Vec<Attempt> {
+    set()
+        .map(|(assignment, effect)| {
+            let name = assignment.split('=').next().unwrap_or_default();
+            Attempt {
+                answer: format!("it {effect}; unset {name} and try again"),
+                what: format!("the environment variable {assignment}"),
+            }
+        })
+        .collect()
+}
+
+/// Why OSMesa is not asked for a context: it would crash.
+pub(super) fn crashes_osmesa() -> Option<String> {
+    let driver = std::env::var_os("GALLIUM_DRIVER").filter(|driver| !driver.is_empty())?;
+    if OF_OSMESA.iter().any(|known| driver == *known) {
+        return None;
+    }
+    Some(format!(
+        "not tried, because it has no driver '{}', which the environment variable GALLIUM_DRIVER names, and would crash; \
+         unset GALLIUM_DRIVER, or set it to llvmpipe",
+        driver.to_string_lossy().escape_debug()
+    ))
+}
+
+/// What to add to "the driver offers only ...": which variable hides what it has.
+pub(super) fn hides(name: &str) -> String {
+    assignment(name).map_or_else(String::new, |assignment| {
+        format!("; the environment variable {assignment} hides what it has: unset {name}")
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::VARIABLES;
+
+    #[test]
+    fn each_variable_is_named_once() {
+        for (number, (name, _)) in VARIABLES.iter().enumerate() {
+            assert!(VARIABLES[..number].iter().all(|(other, _)| other != name));
+        }
+    }
+}

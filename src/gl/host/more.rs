@@ -1,0 +1,147 @@
+//! Functions of OpenGL that glow does not have, by their names.
+
+use std::ffi::{c_double, c_int, c_uint, c_void};
+
+use super::super::context::Context;
+
+type Enum = unsafe extern "system" fn(c_uint);
+type Enums = unsafe extern "system" fn(c_uint, c_uint);
+type Nothing = unsafe extern "system" fn();
+type GetQuery = unsafe extern "system" fn(c_uint, c_uint, *mut c_int);
+type GetIndexed = unsafe extern "system" fn(c_uint, c_uint, *mut c_int);
+type GetDouble = unsafe extern "system" fn(c_uint, *mut c_double);
+type BindRange = unsafe extern "system" fn(c_uint, c_uint, c_uint, isize, isize);
+
+/// Each is there or not: of someone else's context nothing may be known but what glow has.
+#[derive(Clone, Copy, Debug, Default)]
+pub(in crate::gl) struct More {
+    clip_control: Option<Enums>,
+    provoking_vertex: Option<Enum>,
+    clamp_color: Option<Enums>,
+    begin_conditional_render: Option<Enums>,
+    end_conditional_render: Option<Nothing>,
+    get_query: Option<GetQuery>,
+    get_indexed: Option<GetIndexed>,
+    get_double: Option<GetDouble>,
+    bind_range: Option<BindRange>,
+}
+
+impl More {
+    /// Looks them up in a context that is current.
+    pub(in crate::gl) fn load(context: &Context) -> Self {
+        macro_rules! look_up {
+            ($name:literal as $kind:ty) => {{
+                let function = context.function($name);
+                // SAFETY: the OpenGL specification gives the function of that name this signature.
+                (!function.is_null())
+                    .then(|| unsafe { std::mem::transmute::<*const c_void, $kind>(function) })
+            }};
+        }
+        let driver = context.driver();
+        let clips = driver.version >= (4, 5) || driver.has("GL_ARB_clip_control");
+        Self {
+            clip_control: look_up!("glClipControl" as Enums).filter(|_| clips),
+            provoking_vertex: look_up!("glProvokingVertex" as Enum),
+            clamp_color: look_up!("glClampColor" as Enums),
+            begin_conditional_render: look_up!("glBeginConditionalRender" as Enums),
+            end_conditional_render: look_up!("glEndConditionalRender" as Nothing),
+            get_query: look_up!("glGetQueryiv" as GetQuery),
+            get_indexed: look_up!("glGetIntegeri_v" as GetIndexed),
+            get_double: look_up!("glGetDoublev" as GetDouble),
+            bind_range: look_up!("glBindBufferRange" as BindRange),
+        }
+    }
+
+    pub(in crate::gl) fn has_clip_control(&self) -> bool {
+        self.clip_control.is_some()
+    }
+
+    /// `glClipControl`, where there is one.
+    pub(in crate::gl) fn clip_control(&self, [origin, depth]: [u32; 2]) {
+        if let Some(call) = self.clip_control {
+            // SAFETY: the context is current, here and below, and the constants are OpenGL's own.
+            unsafe { call(origin, depth) };
+        }
+    }
+
+    pub(in crate::gl) fn has_provoking_vertex(&self) -> bool {
+        self.provoking_vertex.is_some()
+    }
+
+    /// `glProvokingVertex`, where there is one.
+    pub(in crate::gl) fn provoking_vertex(&self, mode: u32) {
+        if let Some(call) = self.provoking_vertex {
+            // SAFETY: as above.
+            unsafe { call(mode) };
+        }
+    }
+
+    /// `glClampColor`, where there is one.
+    pub(in crate::gl) fn clamp_color(&self, target: u32, clamp: u32) {
+        if let Some(call) = self.clamp_color {
+            // SAFETY: as above.
+            unsafe { call(target, clamp) };
+        }
+    }
+
+    /// `glBeginConditionalRender`; false where there is none.
+    pub(in crate::gl) fn begin_conditional_render(&self, query: u32, mode: u32) -> bool {
+        // SAFETY: as above.
+        self.begin_conditional_render
+            .map(|call| unsafe { call(query, mode) })
+            .is_some()
+    }
+
+    /// `glEndConditionalRender`, where there is one.
+    pub(in crate::gl) fn end_conditional_render(&self) {
+        if let Some(call) = self.end_conditional_render {
+            // SAFETY: as above.
+            unsafe { call() };
+        }
+    }
+
+    /// The query that is active on a target, 0 if none is or nobody knows.
+    pub(in crate::gl) fn current_query(&self, target: u32) -> u32 {
+        let mut query = 0;
+        if let Some(call) = self.get_query {
+            // SAFETY: as above; the answer is a single number.
+            unsafe { call(target, glow::CURRENT_QUERY, &raw mut query) };
+        }
+        query as u32
+    }
+
+    /// Four numbers of indexed state; nothing where they cannot be asked.
+    pub(in crate::gl) fn four(&self, name: u32, index: u32) -> Option<[i32; 4]> {
+        let mut numbers = [0; 4];
+        // SAFETY: as above; no indexed state has more numbers than four.
+        self.get_indexed.map(|call| unsafe {
+            call(name, index, numbers.as_mut_ptr());
+            numbers
+        })
+    }
+
+    /// `N` doubles; nothing where they cannot be asked.
+    pub(in crate::gl) fn doubles<const N: usize>(&self, name: u32) -> Option<[f64; N]> {
+        let mut numbers = [0.0; N];
+        // SAFETY: as above; the callers know how many numbers the state has.
+        self.get_double.map(|call| unsafe {
+            call(name, numbers.as_mut_ptr());
+            numbers
+        })
+    }
+
+    /// `glBindBufferRange` with offsets of 64 bits; false where there is none.
+    pub(in crate::gl) fn bind_range(
+        &self,
+        target: u32,
+        index: u32,
+        buffer: u32,
+        range: [i64; 2],
+    ) -> bool {
+        let [start, size] = range.map(|number| number as isize);
+        // SAFETY: as above.
+        self.bind_range
+            .map(|call| unsafe { call(target, index, buffer, start, size) })
+            .is_some()
+    }
+}
