@@ -6,9 +6,10 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Every room with its floor.
-const FLOORS: [(&str, u32); 13] = [
+const FLOORS: [(&str, u32); 14] = [
     ("error", 0),
     ("fragment", 0),
+    ("memory", 1),
     ("image", 1),
     ("steps", 2),
     ("scene", 2),

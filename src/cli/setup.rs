@@ -5,8 +5,8 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 use onionskin::gl::{Backend, ContextOptions, Format};
 use onionskin::oracle::DepthBuffer;
-use onionskin::scene::Animation;
-use onionskin::{Context, Error, Renderer, Result, Scene};
+use onionskin::scene::{Animation, LoadOptions};
+use onionskin::{Context, Error, MemoryLimit, Renderer, Result, Scene};
 
 use super::progress::Progress;
 
@@ -74,6 +74,10 @@ pub(super) struct Setup {
     /// Test, store and compare 1/w instead of window-space depth: exact to a part of the distance, but slower
     #[arg(long, help_heading = RENDERING)]
     inverse_w: bool,
+    /// The most memory that is taken, such as 8G or 500M; what needs more is refused before it is taken [default: what
+    /// the machine has left]
+    #[arg(long, value_name = "SIZE", help_heading = RENDERING)]
+    max_memory: Option<MemoryLimit>,
     #[command(flatten)]
     pub(super) gl: Gl,
 }
@@ -137,12 +141,19 @@ impl Setup {
         // Known to be wrong before anything long begins.
         self.gl.backend()?;
         let progress = Progress::new(1, &format!("loading {}", self.scene.display()));
-        let animation = Animation::load_at(&self.scene, self.size)?;
+        let animation = Animation::load_with(&self.scene, &self.load_options())?;
         drop(progress);
         for notice in &animation.scene.notices {
             eprintln!("note: {notice}");
         }
         Ok(animation)
+    }
+
+    fn load_options(&self) -> LoadOptions {
+        LoadOptions {
+            size: self.size,
+            memory: self.max_memory.clone().unwrap_or_default(),
+        }
     }
 
     /// How colours and depths are stored, in words.

@@ -8,7 +8,7 @@ use flate2::Crc;
 
 use super::fit::PartialCamera;
 use super::path::CameraPath;
-use super::{Scene, file, joined};
+use super::{LoadOptions, Scene, file, joined};
 use crate::error::{Error, Result};
 
 /// A scene and its camera path. Every frame is a function of its number.
@@ -47,15 +47,23 @@ impl Animation {
     /// # Errors
     /// As [`Scene::load`].
     pub fn load_at(path: impl AsRef<Path>, size: Option<[u32; 2]>) -> Result<Self> {
+        Self::load_with(path, &size.into())
+    }
+
+    /// Reads the same by options.
+    ///
+    /// # Errors
+    /// As [`Scene::load_with`].
+    pub fn load_with(path: impl AsRef<Path>, options: &LoadOptions) -> Result<Self> {
         let path = path.as_ref();
         if path
             .extension()
             .is_some_and(|ending| ending.eq_ignore_ascii_case("toml"))
         {
-            return file::load(path, size);
+            return file::load(path, options);
         }
         Ok(Self {
-            scene: Scene::load_at(path, size)?,
+            scene: Scene::load_with(path, options)?,
             path: CameraPath::default(),
             has_path: false,
             wish: PartialCamera::default(),

@@ -5,6 +5,7 @@ use std::io::{ErrorKind, Read};
 use std::path::Path;
 
 use crate::error::{Error, Place, Result};
+use crate::memory::MemoryLimit;
 
 /// The largest file that is read: 2 GiB, some thirty million triangles of OBJ. A larger one is refused by its size,
 /// before a byte of it is read.
@@ -14,14 +15,14 @@ pub const MAX_BYTES: u64 = 2 << 30;
 const HEAD: u64 = 4096;
 
 /// The file's bytes, which look like text (there is no NUL in its head).
-pub(super) fn read(path: &Path) -> Result<Vec<u8>> {
-    expect_readable(path)?;
+pub(super) fn read(path: &Path, memory: &MemoryLimit) -> Result<Vec<u8>> {
+    expect_readable(path, memory)?;
     read_text(path).map_err(|error| unreadable(path, &error))?
 }
 
 /// The file's bytes, whatever they are.
-pub(super) fn read_bytes(path: &Path) -> Result<Vec<u8>> {
-    expect_readable(path)?;
+pub(super) fn read_bytes(path: &Path, memory: &MemoryLimit) -> Result<Vec<u8>> {
+    expect_readable(path, memory)?;
     let read = || -> std::io::Result<Vec<u8>> {
         let mut bytes = Vec::new();
         File::open(path)?.take(MAX_BYTES).read_to_end(&mut bytes)?;
@@ -30,7 +31,7 @@ pub(super) fn read_bytes(path: &Path) -> Result<Vec<u8>> {
     read().map_err(|error| unreadable(path, &error))
 }
 
-fn expect_readable(path: &Path) -> Result<()> {
+fn expect_readable(path: &Path, memory: &MemoryLimit) -> Result<()> {
     let metadata = fs::metadata(path).map_err(|error| unreadable(path, &error))?;
     if metadata.is_dir() {
         let what = "this is a directory, not a file";
@@ -51,7 +52,9 @@ fn expect_readable(path: &Path) -> Result<()> {
             "Split it into several files, or simplify the model.",
         ));
     }
-    Ok(())
+    let bytes = format!("this file's {} bytes", metadata.len());
+    let room = memory.check(metadata.len());
+    room.map_err(|shortage| shortage.at(Place::file(path), bytes))
 }
 
 /// The outer error is the system's, the inner one ours.

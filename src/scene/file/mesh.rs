@@ -121,7 +121,7 @@ fn read_file(keys: &Keys, file: &str, loaded: &mut Loaded) -> Result<()> {
             "Give a Wavefront model (.obj).",
         ));
     }
-    let model = obj::load(&path, &paint(keys)?)?;
+    let model = obj::load(&path, &paint(keys)?, keys.document.memory)?;
     loaded.meshes.extend(model.meshes);
     loaded.notices.extend(model.notices);
     Ok(())

@@ -70,28 +70,36 @@ use std::path::Path;
 
 use toml::de::DeTable;
 
-use super::{Animation, Scene, Volume, joined, source, stem};
+use super::{Animation, LoadOptions, Scene, Volume, joined, source, stem};
 use crate::error::{Error, Place, Result};
+use crate::memory::MemoryLimit;
 use keys::Keys;
 use limits::FRACTION;
 use mesh::Loaded;
-use place::Document;
+use place::{Document, Lines};
 use sources::Source;
 use volume::NamedVolume;
 
 /// The largest scene file that is read. It is written by hand; this leaves room for one written by a program.
 const MAX_BYTES: usize = 16 << 20;
 
-/// Reads a scene file and all that it names. A given size replaces the file's.
-pub(super) fn load(path: &Path, size: Option<[u32; 2]>) -> Result<Animation> {
-    let text = read(path)?;
-    let document = Document { path, text: &text };
+/// Reads a scene file and all that it names.
+pub(super) fn load(path: &Path, options: &LoadOptions) -> Result<Animation> {
+    let memory = &options.memory;
+    let text = read(path, memory)?;
+    let lines = &Lines::of(&text);
+    let document = Document {
+        path,
+        text: &text,
+        lines,
+        memory,
+    };
     let table = DeTable::parse(&text).map_err(|error| unparsed(&document, &error))?;
     let keys = Keys::top(document, &table);
     keys.expect_only(&["size", "background", "camera", "path", "mesh", "volume"])?;
     let of_file = keys.integers("size", &(1..=65535))?;
     let of_file = of_file.map(|size| size.map(|pixels| pixels as u32));
-    let size = size.or(of_file).unwrap_or(Scene::DEFAULT_SIZE);
+    let size = options.size.or(of_file).unwrap_or(Scene::DEFAULT_SIZE);
     let background = keys.vector32("background", &FRACTION)?.unwrap_or_default();
     let camera = camera::Wish::read(&keys)?;
     let of_volumes = volume::load_all(&keys)?;
@@ -137,8 +145,8 @@ fn shown(all: Vec<NamedVolume>, sources: &mut Vec<Source>) -> Vec<Volume> {
     volumes
 }
 
-fn read(path: &Path) -> Result<String> {
-    let bytes = source::read(path)?;
+fn read(path: &Path, memory: &MemoryLimit) -> Result<String> {
+    let bytes = source::read(path, memory)?;
     if bytes.len() > MAX_BYTES {
         return Err(Error::input(
             Place::file(path),
