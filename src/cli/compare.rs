@@ -7,7 +7,7 @@ use comfy_table::{CellAlignment, Table, presets};
 use onionskin::methods::{Frame, registry};
 use onionskin::{Context, Method, Result};
 
-use super::output::{print_json, say};
+use super::output::{self, print_json, say};
 use super::progress::Progress;
 use super::record::{Errors, Record};
 use super::render::loss;
@@ -94,7 +94,7 @@ impl Compare {
         }
         for (frame, _) in &results {
             if let Some(note) = loss(&frame.stats) {
-                eprintln!("note: {note}");
+                output::note(note);
             }
         }
         Ok(ExitCode::SUCCESS)
@@ -113,10 +113,8 @@ fn runs_here(method: &Method, context: &Context) -> bool {
     let entry = method.entry();
     let runs = entry.runs_on(context.driver());
     if !runs {
-        eprintln!(
-            "note: {method} left out: it needs {}",
-            entry.needs.join(" or ")
-        );
+        let needs = entry.needs.join(" or ");
+        output::note(format_args!("{method} left out: it needs {needs}"));
     }
     runs
 }

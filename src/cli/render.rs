@@ -11,7 +11,7 @@ use onionskin::{Method, Result};
 use super::compare::FRAMES;
 use super::encoding::EncodingOption;
 use super::method_options::MethodOptions;
-use super::output::{print_json, say};
+use super::output::{self, print_json, say};
 use super::progress::Progress;
 use super::record::{Errors, Record};
 use super::setup::{SCENE_FILES, Setup};
@@ -78,7 +78,7 @@ impl Render {
             None => say(&frame.stats)?,
         }
         if let Some(note) = loss(&frame.stats) {
-            eprintln!("note: {note}");
+            output::note(note);
         }
         Ok(ExitCode::SUCCESS)
     }

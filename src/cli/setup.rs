@@ -8,6 +8,7 @@ use onionskin::oracle::DepthBuffer;
 use onionskin::scene::{Animation, LoadOptions};
 use onionskin::{Context, Error, MemoryLimit, Renderer, Result, Scene};
 
+use super::output::note;
 use super::progress::Progress;
 
 const RENDERING: &str = "Options of every rendering";
@@ -144,7 +145,7 @@ impl Setup {
         let animation = Animation::load_with(&self.scene, &self.load_options())?;
         drop(progress);
         for notice in &animation.scene.notices {
-            eprintln!("note: {notice}");
+            note(notice);
         }
         Ok(animation)
     }

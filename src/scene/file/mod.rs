@@ -57,7 +57,6 @@ mod isosurface;
 mod keys;
 mod limits;
 mod mesh;
-mod nearest;
 mod path;
 mod place;
 mod sources;
