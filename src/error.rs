@@ -5,8 +5,8 @@ mod printable;
 
 use std::path::{Path, PathBuf};
 
-pub use nearest::{did_you_mean, nearest};
-pub use printable::{printable, printable_lines};
+pub use nearest::{did_you_mean, nearest, with_slashes};
+pub use printable::{printable, printable_json, printable_lines};
 
 /// The crate's result.
 pub type Result<T, E = Error> = std::result::Result<T, E>;

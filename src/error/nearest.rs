@@ -1,4 +1,6 @@
-//! Which of the known words was probably meant.
+//! What was probably meant by a word or a path.
+
+use std::path::{Path, PathBuf};
 
 /// The longest word that is looked at. A longer one has nothing to do with ours, and would take long.
 const LONGEST: usize = 64;
@@ -23,6 +25,15 @@ pub fn did_you_mean(word: &str, known: &[&str]) -> String {
         Some(meant) => format!("Did you mean '{meant}'? Known are: {all}."),
         None => format!("Known are: {all}."),
     }
+}
+
+/// What to do about a path that leads nowhere, if it does with its backslashes turned: on Windows `\\` stands between
+/// folders, elsewhere it is a letter of a name.
+pub fn with_slashes(path: &Path) -> Option<String> {
+    let meant = PathBuf::from(path.to_str()?.replace('\\', "/"));
+    let is_meant = meant != path && meant.exists() && !path.exists();
+    let meant = meant.display();
+    is_meant.then(|| format!("Did you mean '{meant}'? Folders are separated by '/' here."))
 }
 
 #[cfg(test)]

@@ -17,6 +17,25 @@ pub fn printable_lines(text: &str) -> Cow<'_, str> {
     escaped(text, |c| matches!(c, '\n' | '\t') || is_harmless(c))
 }
 
+/// The same for JSON, which stays the same JSON: what it leaves unescaped stands in strings.
+pub fn printable_json(json: &str) -> Cow<'_, str> {
+    if json.chars().all(is_harmless) {
+        return Cow::Borrowed(json);
+    }
+    let mut shown = String::with_capacity(json.len() + 16);
+    for c in json.chars() {
+        if is_harmless(c) {
+            shown.push(c);
+        } else {
+            for unit in c.encode_utf16(&mut [0; 2]) {
+                // Writing to a string does not fail.
+                _ = write!(shown, "\\u{unit:04x}");
+            }
+        }
+    }
+    Cow::Owned(shown)
+}
+
 fn escaped(text: &str, is_left: impl Fn(char) -> bool) -> Cow<'_, str> {
     if text.chars().all(&is_left) {
         return Cow::Borrowed(text);
@@ -63,7 +82,13 @@ mod tests {
 
     #[test]
     fn text_that_can_be_seen_is_left_alone() {
-        for text in ["", "teapot.obj", "Müller's \"model\" \\ 1", "模型 модель", "é e\u{301} 😀"] {
+        for text in [
+            "",
+            "teapot.obj",
+            "Müller's \"model\" \\ 1",
+            "模型 модель",
+            "é e\u{301} 😀",
+        ] {
             assert!(matches!(printable(text), Cow::Borrowed(same) if same == text));
         }
     }
@@ -85,6 +110,10 @@ mod tests {
             let lines = printable_lines(&text);
             prop_assert!(lines.chars().all(|c| c == '\n' || c == '\t' || is_harmless(c)));
             prop_assert_eq!(lines.lines().count(), text.lines().count());
+            let json = serde_json::to_string(&text).unwrap();
+            let shown = printable_json(&json);
+            prop_assert!(shown.chars().all(is_harmless));
+            prop_assert_eq!(serde_json::from_str::<String>(&shown).unwrap(), text);
         }
     }
 }
