@@ -164,7 +164,9 @@ fn available() -> Option<u64> {
     let mut system = sysinfo::System::new();
     system.refresh_memory();
     let of_machine = system.available_memory();
-    let of_group = system.cgroup_limits().map(|group| group.free_memory);
+    // What a group counts as used has the files that the system keeps in memory, and gives up when asked.
+    let of_group = system.cgroup_limits();
+    let of_group = of_group.map(|group| group.total_memory.saturating_sub(group.rss));
     let available = of_group.map_or(of_machine, |group| group.min(of_machine));
     (available > 0).then_some(available)
 }

@@ -99,7 +99,12 @@ fn generate(
         );
         return Err(keys.wrong("generate", what, "Ask for fewer."));
     }
-    take(keys, "generate", generator.triangle_count(), generator.bytes())?;
+    take(
+        keys,
+        "generate",
+        generator.triangle_count(),
+        generator.bytes(),
+    )?;
     let mesh = generator.build();
     loaded.meshes.push(if generator.has_colors() {
         mesh
@@ -170,7 +175,12 @@ fn finish(keys: &Keys, loaded: &mut Loaded, first: usize) -> Result<()> {
         mesh.sorted = sorted;
         if shading == Shading::Flat {
             let triangles = mesh.triangle_count() as u64;
-            take(keys, "shading", triangles, mesh::bytes(3 * triangles, triangles))?;
+            take(
+                keys,
+                "shading",
+                triangles,
+                mesh::bytes(3 * triangles, triangles),
+            )?;
             *mesh = mesh.with_face_normals();
         }
     }

@@ -82,6 +82,9 @@ use volume::NamedVolume;
 /// The largest scene file that is read. It is written by hand; this leaves room for one written by a program.
 const MAX_BYTES: usize = 16 << 20;
 
+/// What the parser's tree takes for a byte of a list of one-digit numbers, the densest that there is; measured.
+const BYTES_PER_BYTE: u64 = 80;
+
 /// Reads a scene file and all that it names.
 pub(super) fn load(path: &Path, options: &LoadOptions) -> Result<Animation> {
     let memory = &options.memory;
@@ -156,14 +159,29 @@ fn read(path: &Path, memory: &MemoryLimit) -> Result<String> {
             "Put the geometry into model files, which the scene file names.",
         ));
     }
-    String::from_utf8(bytes).map_err(|error| {
-        let valid = &error.as_bytes()[..error.utf8_error().valid_up_to()];
+    let bytes_of_tree = bytes.len() as u64 * BYTES_PER_BYTE;
+    memory
+        .check(bytes_of_tree)
+        .map_err(|shortage| shortage.at(Place::file(path), "the scene file's values"))?;
+    let text = String::from_utf8(bytes).map_err(|error| {
+        let (valid, rest) = error.as_bytes().split_at(error.utf8_error().valid_up_to());
         let line = 1 + valid.iter().filter(|&&byte| byte == b'\n').count();
+        let byte = rest.first().copied().unwrap_or_default();
+        let mut what = format!("this is not UTF-8 text: it has the byte {byte:#04x}");
+        if byte >= 0xa0 {
+            // The first 256 characters of Unicode are Latin-1's.
+            what += &format!(", which is '{}' in Latin-1", char::from(byte));
+        }
         Error::input(
             Place::line(path, line),
-            "this is not UTF-8 text",
-            "Save the file as UTF-8.",
+            what,
+            "Save the file as UTF-8, in an editor or by `iconv -f latin1 -t utf-8`.",
         )
+    })?;
+    // The mark that some editors put before UTF-8.
+    Ok(match text.strip_prefix('\u{feff}') {
+        Some(text) => text.to_owned(),
+        None => text,
     })
 }
 

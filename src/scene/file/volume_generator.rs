@@ -5,8 +5,8 @@ use super::limits::ANY;
 use crate::error::Result;
 use crate::scene::Volume;
 use crate::scene::generate::{
-    Atom, Ball, Constant, Ejection, EjectionPart, Field, Gradient, Lattice, Potential, SheppLogan,
-    Refusal, Swirl, bytes_of_samples, sampled,
+    Atom, Ball, Constant, Ejection, EjectionPart, Field, Gradient, Lattice, Potential, Refusal,
+    SheppLogan, Swirl, bytes_of_samples, sampled,
 };
 
 /// Reads one generator's parameters. What is left out has the default that the generator documents.
