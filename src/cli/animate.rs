@@ -78,6 +78,7 @@ impl Animate {
                 "{scene} has no [path]: the camera turns once, in {frames} frames"
             ));
         }
+        self.method.slices.check_scene(&animation.scene)?;
         let method = self.method.for_scene(method, &animation.scene);
         let range = self.range(animation.path.frames)?;
         let context = self.setup.gl.context()?;

@@ -11,6 +11,7 @@ mod encoding;
 mod frame_folder;
 mod frame_row;
 mod listing;
+mod memory;
 mod method_options;
 mod methods;
 mod output;

@@ -1,12 +1,12 @@
 //! Standard output, for results and for nothing else; standard error, for notes and errors.
 //!
-//! Everything that is not JSON goes through here, and so does no character of a file or of an argument that would do
-//! something to the terminal.
+//! Everything goes through here, and no character of a file or of an argument that would do something to a terminal gets
+//! through.
 
 use std::fmt::Display;
 use std::io::{ErrorKind, Write, stderr, stdout};
 
-use onionskin::error::{printable, printable_lines};
+use onionskin::error::{printable, printable_json, printable_lines};
 use onionskin::{Error, Result};
 use serde::Serialize;
 
@@ -15,11 +15,11 @@ pub(super) fn say(text: impl Display) -> Result<()> {
     print(&printable_lines(&text.to_string()))
 }
 
-/// Prints one JSON object on a line of its own. JSON escapes control characters itself.
+/// Prints one JSON object on a line of its own.
 pub(super) fn print_json(record: &impl Serialize) -> Result<()> {
     let line = serde_json::to_string(record)
         .map_err(|e| Error::usage(format!("cannot write JSON: {e}"), "leave out --json"))?;
-    print(&line)
+    print(&printable_json(&line))
 }
 
 /// Says something besides the result, in one line.

@@ -1,5 +1,6 @@
 //! Arguments that several subcommands have: which scene, at which size, by which OpenGL.
 
+use std::cell::OnceCell;
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
@@ -79,6 +80,9 @@ pub(super) struct Setup {
     /// the machine has left]
     #[arg(long, value_name = "SIZE", help_heading = RENDERING)]
     max_memory: Option<MemoryLimit>,
+    /// What there is if nobody says how much, asked once.
+    #[arg(skip)]
+    of_machine: OnceCell<MemoryLimit>,
     #[command(flatten)]
     pub(super) gl: Gl,
 }
@@ -141,20 +145,26 @@ impl Setup {
     pub(super) fn animation(&self) -> Result<Animation> {
         // Known to be wrong before anything long begins.
         self.gl.backend()?;
+        let options = LoadOptions {
+            size: self.size,
+            memory: self.memory(),
+        };
         let progress = Progress::new(1, &format!("loading {}", self.scene.display()));
-        let animation = Animation::load_with(&self.scene, &self.load_options())?;
+        let animation = Animation::load_with(&self.scene, &options)?;
         drop(progress);
-        for notice in &animation.scene.notices {
-            note(notice);
+        let notices = &animation.scene.notices;
+        notices.iter().take(MOST_NOTES).for_each(note);
+        if let more @ 1.. = notices.len().saturating_sub(MOST_NOTES) {
+            note(format_args!("and {more} more notes like these"));
         }
+        self.check_memory(&animation.scene)?;
         Ok(animation)
     }
 
-    fn load_options(&self) -> LoadOptions {
-        LoadOptions {
-            size: self.size,
-            memory: self.max_memory.clone().unwrap_or_default(),
-        }
+    /// How much memory may be taken. What is taken is taken of the same, whoever asks.
+    pub(super) fn memory(&self) -> MemoryLimit {
+        let of_machine = || self.of_machine.get_or_init(MemoryLimit::of_machine);
+        self.max_memory.as_ref().unwrap_or_else(of_machine).clone()
     }
 
     /// How colours and depths are stored, in words.
@@ -221,6 +231,9 @@ impl Planes {
         }
     }
 }
+
+/// As many notes of a scene are shown; the last of thousands would hide what comes after.
+const MOST_NOTES: usize = 40;
 
 fn size(text: &str) -> Result<[u32; 2], Error> {
     let wrong = || {
