@@ -7,9 +7,11 @@ use std::fmt::Write;
 
 use onionskin::MemoryLimit;
 use onionskin::scene::generate::{Quads, quads};
-use onionskin::scene::{Animation, LoadOptions, Mesh, Scene};
+use onionskin::scene::{Animation, LoadOptions, Mesh, Scene, Vertex};
 use scene_kit::{Folder, Refused, refused};
 
+/// What a vertex takes.
+const VERTEX: u64 = size_of::<Vertex>() as u64;
 const TRIANGLE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 const QUAD: &str = "[[mesh]]\ngenerate = \"quads\"\ncount = 1\n";
 
@@ -132,8 +134,8 @@ fn generators_of_legal_size_are_refused_before_they_take_memory() {
 #[test]
 fn several_meshes_are_added_up_and_facets_take_their_own() {
     let soup = "[[mesh]]\ngenerate = \"soup\"\ncount = 100000\n";
-    // A triangle takes three vertices of 40 bytes and three indices: 13.2 MB in all.
-    let bytes = 13_200_000;
+    // A triangle takes three vertices and three indices.
+    let bytes = 100_000 * (3 * VERTEX + 12);
     let two = over(2 * bytes - 1, &soup.repeat(2)).says("100000 triangles take");
     assert_eq!(two.line, Some(5));
     let flat = over(2 * bytes - 1, &format!("{soup}shading = \"flat\"\n")).says("100000 triangles");
@@ -190,7 +192,7 @@ fn the_memory_that_is_asked_for_is_the_meshs() {
         ..Quads::default()
     })
     .unwrap();
-    assert_eq!(mesh.bytes(), 1000 * (4 * 40 + 2 * 12));
+    assert_eq!(mesh.bytes(), 1000 * (4 * VERTEX + 2 * 12));
     for keys in [
         "generate = \"teapot\"\ncells = 7",
         "generate = \"plane\"\ncells = 9",

@@ -184,7 +184,7 @@ impl Setup {
             Depth::D32f => Format::Depth32FStencil8,
         };
         if let Some(waste) = waste(scene) {
-            eprintln!("note: {waste}{}", self.planes.answer(scene));
+            note(format_args!("{waste}{}", self.planes.answer(scene)));
         }
         let renderer = Renderer::new(context, scene.size[0], scene.size[1])?;
         let renderer = renderer.with_formats(color, depth);
