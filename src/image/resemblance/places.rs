@@ -5,6 +5,9 @@ use super::{Pair, Tried};
 /// How far a picture is looked for, in whole pixels along x and y.
 const FARTHEST: i32 = 8;
 
+/// In how many rows a shift is looked for.
+const ROWS: i32 = 256;
+
 pub(super) fn tried(pair: &Pair<'_>) -> Vec<Tried> {
     let [width, height] = [pair.exact.width as i32, pair.exact.height as i32];
     let (right, bottom) = (width - 1, height - 1);
@@ -30,14 +33,19 @@ pub(super) fn tried(pair: &Pair<'_>) -> Vec<Tried> {
 /// How many pixels of the image differ from the exact ones at the places that a rule says; where there are none, nothing
 /// is said.
 fn left(pair: &Pair<'_>, place: impl Fn(i32, i32) -> [i32; 2]) -> usize {
-    up_to(pair, usize::MAX, place)
+    among_rows(pair, 1, usize::MAX, place)
 }
 
-/// The same, given up when there are more than so many.
-fn up_to(pair: &Pair<'_>, most: usize, place: impl Fn(i32, i32) -> [i32; 2]) -> usize {
+/// The same in every so many-th row, given up when there are more than so many.
+fn among_rows(
+    pair: &Pair<'_>,
+    every: usize,
+    most: usize,
+    place: impl Fn(i32, i32) -> [i32; 2],
+) -> usize {
     let [width, height] = [pair.exact.width as i32, pair.exact.height as i32];
     let mut left = 0;
-    for y in 0..height {
+    for y in (0..height).step_by(every) {
         for x in 0..width {
             let [column, row] = place(x, y);
             if (0..width).contains(&column) && (0..height).contains(&row) {
@@ -53,22 +61,25 @@ fn up_to(pair: &Pair<'_>, most: usize, place: impl Fn(i32, i32) -> [i32; 2]) -> 
     left
 }
 
-/// The shift that leaves the fewest pixels over, the shortest if several do. A shift by more than a quarter of the
+/// The shift that leaves the fewest pixels over, the shortest if several do; of a large picture it is looked for in some
+/// rows, and then tried on all. A shift by more than a quarter of the
 /// picture leaves too little to be compared.
 fn shifted(pair: &Pair<'_>, [width, height]: [i32; 2]) -> Option<Tried> {
     let [most_x, most_y] = [width, height].map(|side| FARTHEST.min(side / 4));
     let shifts = (-most_y..=most_y).flat_map(|y| (-most_x..=most_x).map(move |x| [x, y]));
     let mut shifts: Vec<[i32; 2]> = shifts.filter(|shift| *shift != [0, 0]).collect();
     shifts.sort_by_key(|[x, y]| x * x + y * y);
+    let every = (height / ROWS).max(1) as usize;
     let mut best: Option<(usize, [i32; 2])> = None;
     for [dx, dy] in shifts {
         let most = best.map_or(usize::MAX, |(left, _)| left);
-        let left = up_to(pair, most, |x, y| [x - dx, y - dy]);
+        let left = among_rows(pair, every, most, |x, y| [x - dx, y - dy]);
         if left < most {
             best = Some((left, [dx, dy]));
         }
     }
-    let (left, [dx, dy]) = best?;
+    let (_, [dx, dy]) = best?;
+    let left = left(pair, |x, y| [x - dx, y - dy]);
     let along = |by: i32, [less, more]: [&str; 2]| match by {
         0 => None,
         by => {
