@@ -1,6 +1,12 @@
 //! Errors for people: what is wrong, where, and what to do about it.
 
+mod nearest;
+mod printable;
+
 use std::path::{Path, PathBuf};
+
+pub use nearest::{did_you_mean, nearest, with_slashes};
+pub use printable::{printable, printable_json, printable_lines};
 
 /// The crate's result.
 pub type Result<T, E = Error> = std::result::Result<T, E>;
@@ -10,7 +16,7 @@ pub type Result<T, E = Error> = std::result::Result<T, E>;
 #[non_exhaustive]
 pub enum Error {
     /// A file that cannot be used as it is.
-    #[error("{place}: {what}\n  {remedy}")]
+    #[error("{place}: {}\n  {}", printable(.what), printable(.remedy))]
     Input {
         /// The file, and as far as known the line and the token.
         place: Place,
@@ -20,7 +26,7 @@ pub enum Error {
         remedy: String,
     },
     /// A result that could not be written. Nothing is left at `path`.
-    #[error("cannot write {path}: {what}\n  {remedy}")]
+    #[error("cannot write {}: {}\n  {}", shown(.path), printable(.what), printable(.remedy))]
     Output {
         /// Where it should have gone.
         path: PathBuf,
@@ -60,7 +66,7 @@ pub enum Error {
         error: String,
     },
     /// A request that makes no sense, whatever the files say.
-    #[error("{what}\n  {remedy}")]
+    #[error("{}\n  {}", printable(.what), printable(.remedy))]
     Usage {
         /// What was asked for.
         what: String,
@@ -83,6 +89,11 @@ const INSTALL: &str =
     Debian, Ubuntu: apt install libegl1 libgl1-mesa-dri (and libosmesa6, where there is one)
     Fedora:         dnf install mesa-libEGL mesa-dri-drivers
     Arch:           pacman -S mesa";
+
+/// A path as it is shown: whatever its name does to a terminal, it does not do it there.
+fn shown(path: &Path) -> String {
+    printable(&path.to_string_lossy()).into_owned()
+}
 
 fn list(tried: &[Attempt]) -> String {
     tried
@@ -135,12 +146,12 @@ impl Place {
 
 impl std::fmt::Display for Place {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "{}", self.file.display())?;
+        write!(f, "{}", shown(&self.file))?;
         if let Some(line) = self.line {
             write!(f, ":{line}")?;
         }
         if let Some(token) = &self.token {
-            write!(f, ": '{token}'")?;
+            write!(f, ": '{}'", printable(token))?;
         }
         Ok(())
     }

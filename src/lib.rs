@@ -16,6 +16,7 @@
 //! 1  steps/                  the vocabulary: GL calls, passes, loops, queries; printing; diffing
 //!    scene/                  meshes, volumes, cameras, importers, generators. No GL
 //! 0  fragment, image, error  plain types
+//!    memory                  how much of it may be taken
 //! ```
 
 // Tests inside of the crate use the scenes of the tests outside.
@@ -27,6 +28,7 @@ pub mod error;
 pub mod fragment;
 pub mod gl;
 pub mod image;
+pub mod memory;
 pub mod methods;
 pub mod oracle;
 pub mod papers;
@@ -37,5 +39,6 @@ pub mod steps;
 pub use error::{Error, Result};
 pub use gl::Context;
 pub use image::Image;
+pub use memory::MemoryLimit;
 pub use methods::{Frame, Method, Renderer};
 pub use scene::Scene;

@@ -372,7 +372,10 @@ fn a_difference_picture_that_would_replace_the_image() {
 
 #[test]
 fn a_bound_or_a_gain_that_is_none() {
-    for option in ["--bound=-1", "--bound=nan", "--gain=0", "--gain=nan"] {
-        refused_arguments(&["check", "m.obj", "kept.png", option]).says(&["--bound", "--gain"]);
+    for option in ["--bound=-1", "--bound=1.01", "--bound=nan", "--bound=inf"] {
+        refused_arguments(&["check", "m.obj", "kept.png", option]).says(&["--bound is ", "0 to 1"]);
+    }
+    for option in ["--gain=0", "--gain=nan", "--gain=inf"] {
+        refused_arguments(&["check", "m.obj", "kept.png", option]).says(&["--gain is "]);
     }
 }

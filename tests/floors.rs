@@ -6,20 +6,21 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Every room with its floor.
-const FLOORS: [(&str, u32); 13] = [
+const FLOORS: [(&str, u32); 14] = [
     ("error", 0),
     ("fragment", 0),
-    ("image", 1),
-    ("steps", 2),
-    ("scene", 2),
-    ("papers", 3),
-    ("oracle", 4),
-    ("emulator", 4),
-    ("gl", 4),
-    ("methods", 5),
-    ("report", 6),
-    ("cli", 7),
-    ("main", 8),
+    ("memory", 1),
+    ("image", 2),
+    ("steps", 3),
+    ("scene", 3),
+    ("papers", 4),
+    ("oracle", 5),
+    ("emulator", 5),
+    ("gl", 5),
+    ("methods", 6),
+    ("report", 7),
+    ("cli", 8),
+    ("main", 9),
 ];
 
 #[test]

@@ -1,5 +1,5 @@
 //! `onionskin animate`, killed in the middle and repeated: the frames are those of an undisturbed run, and nothing
-//! unfinished is left.
+//! unfinished is left. `onionskin render`, killed at any time, leaves nothing at all.
 
 use std::fs::{self, File, TryLockError};
 use std::path::Path;
@@ -127,4 +127,27 @@ fn a_running_command_is_known_by_its_lock_and_a_killed_one_has_none() {
     );
     kill(child);
     identity.try_lock().unwrap();
+}
+
+/// Where files may have no name until they are whole: on Linux, and not on every file system.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_killed_render_leaves_the_picture_of_before_or_the_whole_new_one_and_nothing_else() {
+    let desk = desk();
+    desk.result(&["render", "s.toml", "-o", "p.png"]);
+    let whole = fs::read(desk.path("p.png")).unwrap();
+    for milliseconds in (0..400).step_by(20) {
+        let mut child = Command::new(env!("CARGO_BIN_EXE_onionskin"))
+            .current_dir(desk.path("."))
+            .args(["render", "s.toml", "-o", "p.png"])
+            .stdout(Stdio::null())
+            .stderr(Stdio::null())
+            .spawn()
+            .unwrap();
+        std::thread::sleep(Duration::from_millis(milliseconds));
+        child.kill().unwrap();
+        child.wait().unwrap();
+        assert_eq!(desk.names(), ["p.png", "s.toml"]);
+        assert!(fs::read(desk.path("p.png")).unwrap() == whole);
+    }
 }

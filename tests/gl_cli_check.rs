@@ -113,3 +113,92 @@ fn check_takes_the_advice_that_it_gave_about_the_size() {
     let advice: Vec<_> = advice.split(' ').collect();
     desk.result(&[&CHECK[..], &advice].concat());
 }
+
+/// What `check` says a difference looks like, in words and as JSON.
+#[track_caller]
+fn looks_like(desk: &Desk, words: &str) {
+    let answer = desk.run(&CHECK);
+    assert_eq!((answer.code, answer.err.as_str()), (1, ""), "{answer}");
+    let line = answer.out.lines().find(|l| l.starts_with("looks like"));
+    assert!(line.is_some_and(|line| line.contains(words)), "{answer}");
+    let answer = desk.run(&[&CHECK[..], &["--json"]].concat());
+    let said = object(&answer)["looks_like"].clone();
+    let said = said.as_str().unwrap_or_default();
+    assert!(said.contains(words), "{answer}");
+}
+
+#[test]
+fn check_recognises_an_image_that_is_encoded_as_srgb() {
+    let desk = desk();
+    desk.result(&[
+        "render",
+        "sheets.toml",
+        "-m",
+        "exact",
+        "-o",
+        "mine.png",
+        "--srgb",
+    ]);
+    looks_like(&desk, "encoded as sRGB");
+}
+
+#[test]
+fn check_recognises_flips_shifts_channels_and_alpha() {
+    let flipped = desk_with_image(|image| {
+        let rows: Vec<_> = image.pixels.chunks(40).rev().flatten().copied().collect();
+        image.pixels = rows;
+    });
+    looks_like(&flipped, "upside down");
+    let shifted = desk_with_image(|image| image.pixels.rotate_right(2 * 40 + 3));
+    looks_like(
+        &shifted,
+        "shifted by 3 pixels to the right and 2 pixels down",
+    );
+    let swapped = desk_with_image(|image| {
+        let swap =
+            |pixel: &mut onionskin::fragment::Rgba| std::mem::swap(&mut pixel.r, &mut pixel.b);
+        image.pixels.iter_mut().for_each(swap);
+    });
+    looks_like(&swapped, "BGR instead of RGB");
+    let clear = desk_with_image(|image| image.pixels.iter_mut().for_each(|pixel| pixel.a = 0.5));
+    looks_like(&clear, "Only alpha differs");
+}
+
+#[test]
+fn check_says_nothing_of_a_difference_that_looks_like_no_mistake() {
+    let desk = desk_with_image(|image| image.pixels[7 * 40 + 5].g -= 0.5);
+    let answer = desk.run(&[&CHECK[..], &["--json"]].concat());
+    assert_eq!(
+        object(&answer)["looks_like"],
+        serde_json::Value::Null,
+        "{answer}"
+    );
+    assert!(!desk.run(&CHECK).out.contains("looks like"));
+}
+
+#[test]
+fn check_gives_its_verdict_where_no_picture_can_be_written() {
+    let desk = desk_with_image(|image| image.pixels[0].g -= 0.5);
+    std::fs::create_dir(desk.path("difference.png")).unwrap();
+    let answer = desk.run(&CHECK);
+    assert_eq!(answer.code, 1, "{answer}");
+    assert!(answer.out.contains("1 of 1200"), "{answer}");
+    answer.says(&["note: no difference picture", "a folder of that name", "-o"]);
+    // Told where to write, it must be able to.
+    desk.refused(&[&CHECK[..], &["-o", "difference.png"]].concat());
+}
+
+#[test]
+#[cfg(unix)]
+fn results_go_through_links_and_pipes_stay_pipes() {
+    let desk = desk();
+    std::os::unix::fs::symlink("target.png", desk.path("link.png")).unwrap();
+    for size in ["20x15", "30x20"] {
+        desk.result(&["render", "sheets.toml", "-o", "link.png", "--size", size]);
+        assert!(desk.path("link.png").is_symlink());
+        let [width, height] = Image::size_of_file(desk.path("target.png")).unwrap();
+        assert_eq!(format!("{width}x{height}"), size);
+    }
+    let hidden = desk.names().into_iter().find(|name| name.starts_with('.'));
+    assert_eq!(hidden, None);
+}

@@ -3,7 +3,7 @@
 use onionskin::papers::{everitt_2001, papers, vtk};
 use onionskin::steps::{
     Amendment, Call, Compare, DepthUnits, Machine, Map, Objects, Query, Reason, Recorder,
-    Variables, diff, gl::*, print, run,
+    Variables, diff, free_variables, gl::*, print, run,
 };
 use onionskin::{Error, steps};
 
@@ -285,4 +285,34 @@ fn peel(
         (outcome.stopped, number("num_layers"), number("peels")),
         recorder.calls,
     )
+}
+
+/// Given what is free, every listing of every paper runs, as printed and as amended; so nothing is missing that is read.
+#[test]
+fn with_its_free_variables_every_listing_runs() {
+    let mut several = 0;
+    for paper in papers() {
+        for (key, listing, amendments) in paper.listings {
+            for amendments in [&[][..], amendments] {
+                let free = free_variables(listing, amendments);
+                several += free.len();
+                let given = Variables::new();
+                let given = free.iter().fold(given, |all, name| all.with(name, 2.0));
+                let mut recorder = Recorder::new().answering_every_query(1);
+                run(listing, amendments, given, &mut recorder)
+                    .unwrap_or_else(|error| panic!("{}/{key}: {error}", paper.key));
+            }
+        }
+    }
+    assert!(several > 5, "some have free variables: {several}");
+}
+
+#[test]
+fn without_a_free_variable_that_it_reads_a_listing_does_not_run() {
+    let paper = papers().iter().find(|paper| paper.key == "everitt");
+    let listings = paper.expect("the paper").listings;
+    let (_, listing, _) = listings.iter().find(|l| l.0 == "listing-1").expect("it");
+    assert_eq!(free_variables(listing, &[]), ["num_passes"]);
+    let mut recorder = Recorder::new().answering_every_query(1);
+    assert!(run(listing, &[], Variables::new(), &mut recorder).is_err());
 }

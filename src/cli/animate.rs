@@ -13,7 +13,7 @@ use super::encoding::EncodingOption;
 use super::frame_folder::FrameFolder;
 use super::frame_row::FrameRow;
 use super::method_options::MethodOptions;
-use super::output::{print_json, say};
+use super::output::{note, print_json, say};
 use super::progress::Progress;
 use super::setup::Setup;
 
@@ -74,8 +74,11 @@ impl Animate {
         if !animation.has_path {
             let scene = self.setup.scene.display();
             let frames = animation.path.frames;
-            eprintln!("note: {scene} has no [path]: the camera turns once, in {frames} frames");
+            note(format_args!(
+                "{scene} has no [path]: the camera turns once, in {frames} frames"
+            ));
         }
+        self.method.slices.check_scene(&animation.scene)?;
         let method = self.method.for_scene(method, &animation.scene);
         let range = self.range(animation.path.frames)?;
         let context = self.setup.gl.context()?;

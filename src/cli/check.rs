@@ -5,18 +5,22 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::Args;
-use onionskin::image::{Comparison, FileKind, Image, check_writable, difference_picture};
-use onionskin::{Error, Method, Result};
+use onionskin::image::{
+    Comparison, FileKind, Image, check_writable, difference_picture, resemblance,
+};
+use onionskin::methods::Frame;
+use onionskin::{Error, Result, Scene};
 use serde::Serialize;
 
-use super::output::{print_json, say};
+use super::output::{note, print_json, say};
 use super::progress::Progress;
 use super::setup::Setup;
 
 /// Check an image against the exact one
 ///
 /// Renders the scene exactly, compares, and writes a difference picture of three panels: the image, the exact one, and
-/// their difference made visible. Exits with 1 if a channel of a pixel differs by more than the bound.
+/// their difference made visible. Exits with 1 if a channel of a pixel differs by more than the bound, and says what the
+/// difference looks like if it is one of the usual mistakes: sRGB, alpha, flips, shifts, channels, background.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Check {
@@ -28,9 +32,9 @@ pub(super) struct Check {
     /// for rounding to 8 bits, as much again for a renderer that truncates
     #[arg(long, value_name = "DIFFERENCE", default_value_t = 1.0 / 255.0, hide_default_value = true)]
     bound: f64,
-    /// Where the difference picture goes, .png or .exr
-    #[arg(short, long, value_name = "FILE", default_value = "difference.png")]
-    output: PathBuf,
+    /// Where the difference picture goes, .png or .exr [default: difference.png, if it can be written]
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
     /// What differences are multiplied by in the picture, to be seen
     #[arg(long, value_name = "FACTOR", default_value_t = 8.0)]
     gain: f32,
@@ -60,42 +64,58 @@ struct Verdict<'a> {
     worst_pixel: Option<[u32; 2]>,
     hanging_pixels: usize,
     hanging_pixels_over: usize,
+    looks_like: Option<String>,
 }
+
+/// Where the difference picture goes if nobody says where.
+const DIFFERENCE: &str = "difference.png";
 
 impl Check {
     pub(super) fn run(self) -> Result<ExitCode> {
         self.check_arguments()?;
-        let image = Image::load(&self.image)?;
+        // The header alone: a small file may hold, or say that it holds, a picture that is enormous.
+        let size = Image::size_of_file(&self.image)?;
         let scene = self.setup.scene()?;
-        if [image.width, image.height] != scene.size {
-            return Err(Error::usage(
-                format!(
-                    "{} is {} x {} pixels, but the scene is {} x {}",
-                    self.image.display(),
-                    image.width,
-                    image.height,
-                    scene.size[0],
-                    scene.size[1]
-                ),
-                format!("add --size {}x{}", image.width, image.height),
-            ));
-        }
+        self.check_size(size, scene.size)?;
+        let image = Image::load_within(&self.image, &self.setup.memory())?;
         let context = self.setup.gl.context()?;
         let progress = Progress::new(1, "rendering the exact image");
-        let exact = self
-            .setup
-            .renderer(&context, &scene)?
-            .render(&scene, &Method::Exact)?;
+        let mut renderer = self.setup.renderer(&context, &scene)?;
+        let exact = self.setup.exact(&mut renderer, &scene)?;
         drop(progress);
         let comparison = Comparison::new(&image, &exact.image, self.bound)?;
-        difference_picture(&image, &exact.image, self.gain)?.save(&self.output)?;
+        let verdict = self.verdict(&scene, &image, &exact, &comparison)?;
+        let picture = self.write(&difference_picture(&image, &exact.image, self.gain)?)?;
+        if self.json {
+            print_json(&verdict)?;
+        } else {
+            say(&verdict)?;
+            if let Some(path) = picture {
+                say(format_args!("{:<16} {}", "difference", path.display()))?;
+            }
+        }
+        Ok(ExitCode::from(u8::from(!verdict.passed)))
+    }
+
+    fn verdict<'a>(
+        &self,
+        scene: &'a Scene,
+        image: &Image,
+        exact: &Frame,
+        comparison: &Comparison,
+    ) -> Result<Verdict<'a>> {
         let passed = comparison.over == 0;
         let hangs = |pixel: usize| {
             let hanging = exact.hanging.as_ref();
             hanging.is_some_and(|hanging| hanging.given[pixel])
         };
-        let hanging = Comparison::among(&image, &exact.image, self.bound, hangs)?;
-        let verdict = Verdict {
+        let hanging = Comparison::among(image, &exact.image, self.bound, hangs)?;
+        let looks_like = if passed {
+            None
+        } else {
+            resemblance(image, &exact.image, self.bound, scene.background)
+        };
+        Ok(Verdict {
             scene: &scene.name,
             image: self.image.display().to_string(),
             passed,
@@ -111,32 +131,61 @@ impl Check {
                 .filter(|&pixel| hangs(pixel))
                 .count(),
             hanging_pixels_over: hanging.over,
-        };
-        if self.json {
-            print_json(&verdict)?;
-        } else {
-            say(&verdict)?;
-            say(format_args!(
-                "{:<16} {}",
-                "difference",
-                self.output.display()
-            ))?;
+            looks_like: looks_like.map(|it| it.to_string()),
+        })
+    }
+
+    /// Writes the difference picture where it was told to; else beside the reader, if it can. The verdict does not depend
+    /// on it.
+    fn write(&self, picture: &Image) -> Result<Option<&Path>> {
+        if let Some(path) = &self.output {
+            picture.save(path)?;
+            return Ok(Some(path));
         }
-        Ok(ExitCode::from(u8::from(!passed)))
+        match picture.save(DIFFERENCE) {
+            Ok(()) => Ok(Some(Path::new(DIFFERENCE))),
+            Err(Error::Output { what, .. }) => {
+                note(format_args!(
+                    "no difference picture, {DIFFERENCE} cannot be written here: {what} (-o says where it goes)"
+                ));
+                Ok(None)
+            }
+            Err(other) => Err(other),
+        }
+    }
+
+    fn check_size(&self, [width, height]: [u32; 2], of_scene: [u32; 2]) -> Result<()> {
+        if [width, height] == of_scene {
+            return Ok(());
+        }
+        let (image, [w, h]) = (self.image.display(), of_scene);
+        Err(Error::usage(
+            format!("{image} is {width} x {height} pixels, but the scene is {w} x {h}"),
+            format!("add --size {width}x{height}"),
+        ))
     }
 
     /// Whatever can be wrong with the arguments is said before anything long begins.
     fn check_arguments(&self) -> Result<()> {
-        if !(self.bound >= 0.0 && self.gain > 0.0 && self.gain.is_finite()) {
+        if !(0.0..=1.0).contains(&self.bound) {
             return Err(Error::usage(
-                "--bound must not be negative, and --gain must be more than 0",
+                format!("--bound is {}, and differences are from 0 to 1", self.bound),
                 "a bound of 0.004 is one step of 8 bits",
             ));
         }
-        FileKind::of(&self.output)?;
-        check_writable(&self.output)?;
+        if !(self.gain > 0.0 && self.gain.is_finite()) {
+            return Err(Error::usage(
+                format!("--gain is {}, and must be more than 0", self.gain),
+                "a gain of 8 shows a difference of an eighth as white",
+            ));
+        }
+        let output = self.output.as_deref();
+        if let Some(path) = output {
+            FileKind::of(path)?;
+            check_writable(path)?;
+        }
         let same = |a: &Path, b: &Path| Some(a.canonicalize().ok()? == b.canonicalize().ok()?);
-        if same(&self.image, &self.output) == Some(true) {
+        if same(&self.image, output.unwrap_or(Path::new(DIFFERENCE))) == Some(true) {
             return Err(Error::usage(
                 format!(
                     "the difference picture would replace the image {}",
@@ -177,14 +226,17 @@ impl fmt::Display for Verdict<'_> {
             ..
         } = self;
         write!(f, "{:<16} {pixels_over} of {pixels}", "pixels over it")?;
-        if *hanging_pixels == 0 {
-            return Ok(());
+        if *hanging_pixels > 0 {
+            write!(
+                f,
+                "\n{:<16} {hanging_pixels_over} of them: {hanging_pixels} pixels hang on a difference of depth that a depth \
+                 buffer between the scene's near and far plane cannot hold",
+                "hang on depth"
+            )?;
         }
-        write!(
-            f,
-            "\n{:<16} {hanging_pixels_over} of them: {hanging_pixels} pixels hang on a difference of depth that a depth \
-             buffer between the scene's near and far plane cannot hold",
-            "hang on depth"
-        )
+        if let Some(sentence) = &self.looks_like {
+            write!(f, "\n{:<16} {sentence}", "looks like")?;
+        }
+        Ok(())
     }
 }

@@ -4,10 +4,10 @@ use std::process::ExitCode;
 
 use clap::Args;
 use comfy_table::{CellAlignment, Table, presets};
-use onionskin::methods::{Frame, registry};
+use onionskin::methods::{Stats, registry};
 use onionskin::{Context, Method, Result};
 
-use super::output::{print_json, say};
+use super::output::{self, print_json, say};
 use super::progress::Progress;
 use super::record::{Errors, Record};
 use super::render::loss;
@@ -54,6 +54,7 @@ impl Compare {
         // What the methods are called is said before anything long begins.
         let mut methods = self.methods()?;
         let scene = self.setup.scene()?;
+        self.slices.check_scene(&scene)?;
         if self.method == "all" && !scene.volumes.is_empty() {
             let sliced = self.slices.is_given();
             methods.retain(|m| m.renders_volumes() || sliced && m.takes_slices());
@@ -64,7 +65,7 @@ impl Compare {
         }
         let mut renderer = self.slices.told(self.setup.renderer(&context, &scene)?)?;
         let progress = Progress::new(methods.len() as u64 + 1, "exact");
-        let exact = renderer.render(&scene, &Method::Exact)?;
+        let exact = self.setup.exact(&mut renderer, &scene)?;
         progress.part_done();
         let mut results = Vec::new();
         for method in methods {
@@ -72,12 +73,13 @@ impl Compare {
             let frame = renderer.measure(&scene, &method, FRAMES)?;
             let error = Errors::new(&frame, &exact)?;
             progress.part_done();
-            results.push((frame, error));
+            // Of many methods' large images none needs to stay.
+            results.push((frame.stats, error));
         }
         drop(progress);
         if self.json {
-            for (frame, error) in &results {
-                print_json(&Record::new(&scene.name, &frame.stats, error))?;
+            for (stats, error) in &results {
+                print_json(&Record::new(&scene.name, stats, error))?;
             }
         } else {
             say(table(&results))?;
@@ -92,9 +94,9 @@ impl Compare {
                 say(format_args!("\n{lists}"))?;
             }
         }
-        for (frame, _) in &results {
-            if let Some(note) = loss(&frame.stats) {
-                eprintln!("note: {note}");
+        for (stats, _) in &results {
+            if let Some(note) = loss(stats) {
+                output::note(note);
             }
         }
         Ok(ExitCode::SUCCESS)
@@ -113,16 +115,14 @@ fn runs_here(method: &Method, context: &Context) -> bool {
     let entry = method.entry();
     let runs = entry.runs_on(context.driver());
     if !runs {
-        eprintln!(
-            "note: {method} left out: it needs {}",
-            entry.needs.join(" or ")
-        );
+        let needs = entry.needs.join(" or ");
+        output::note(format_args!("{method} left out: it needs {needs}"));
     }
     runs
 }
 
 /// How many pixels the errors leave out, and how wrong they are.
-fn hanging(results: &[(Frame, Errors)]) -> Option<String> {
+fn hanging(results: &[(Stats, Errors)]) -> Option<String> {
     let pixels = results.first()?.1.hanging_pixels;
     let worst = results
         .iter()
@@ -136,7 +136,7 @@ fn hanging(results: &[(Frame, Errors)]) -> Option<String> {
     })
 }
 
-fn table(results: &[(Frame, Errors)]) -> Table {
+fn table(results: &[(Stats, Errors)]) -> Table {
     let mut table = empty_table(&[
         "method",
         "iterations",
@@ -147,7 +147,7 @@ fn table(results: &[(Frame, Errors)]) -> Table {
         "max error",
         "rms error",
     ]);
-    for (Frame { stats, .. }, error) in results {
+    for (stats, error) in results {
         table.add_row([
             stats.method.clone(),
             stats.iterations.to_string(),
@@ -165,7 +165,7 @@ fn table(results: &[(Frame, Errors)]) -> Table {
 }
 
 /// What the fragment lists have cost the methods that have any.
-fn table_of_lists(results: &[(Frame, Errors)]) -> Option<Table> {
+fn table_of_lists(results: &[(Stats, Errors)]) -> Option<Table> {
     let mut table = empty_table(&[
         "fragment lists",
         "bands",
@@ -176,7 +176,7 @@ fn table_of_lists(results: &[(Frame, Errors)]) -> Option<Table> {
         "slots reserved",
         "used",
     ]);
-    for (Frame { stats, .. }, _) in results {
+    for (stats, _) in results {
         if let Some(counts) = &stats.a_buffer {
             table.add_row([
                 stats.method.clone(),

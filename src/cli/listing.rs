@@ -3,9 +3,10 @@
 use std::process::ExitCode;
 
 use clap::Args;
+use onionskin::error::{did_you_mean, nearest};
 use onionskin::papers::papers;
 use onionskin::steps::pseudo;
-use onionskin::steps::{self, Amendment, Recorder, Variables, print, run};
+use onionskin::steps::{self, Amendment, Recorder, Variables, free_variables, print, run};
 use onionskin::{Error, Result};
 
 use super::output::say;
@@ -26,13 +27,17 @@ pub(super) struct Listing {
     /// The flat trace of N rounds of its loop instead, 1 to 1000: a line a call, every argument named
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1000))]
     unroll: Option<u32>,
+    /// The value of a variable that the listing reads and does not set, for --unroll; once for each
+    #[arg(long, value_name = "NAME=VALUE", value_parser = variable, requires = "unroll")]
+    set: Vec<(String, f64)>,
 }
 
 const EXAMPLES: &str = "\
 Examples:
   onionskin listing                                     which there are
   onionskin listing everitt/listing-1 --as-printed
-  onionskin listing everitt/listing-1 --unroll 2        two peels, call by call";
+  onionskin listing everitt/listing-1 --unroll 2        two peels, call by call
+  onionskin listing everitt/listing-1 --unroll 2 --set num_passes=3";
 
 impl Listing {
     pub(super) fn run(self) -> Result<ExitCode> {
@@ -82,7 +87,7 @@ impl Listing {
     fn listing(&self, listing: &steps::Listing, amendments: &[Amendment]) -> Result<String> {
         let amendments = self.beside(amendments);
         match self.unroll {
-            Some(rounds) => unroll(listing, amendments, rounds),
+            Some(rounds) => unroll(listing, amendments, rounds, &self.set),
             None => Ok(print::listing(listing, amendments)),
         }
     }
@@ -138,15 +143,29 @@ fn unknown(name: &str) -> Error {
             .chain(on_lists)
             .map(move |key| format!("{}/{key}", paper.key))
     });
+    let names: Vec<String> = names.collect();
+    let words: Vec<&str> = names.iter().map(String::as_str).collect();
+    let meant = nearest(name, &words).map(|meant| format!("Did you mean '{meant}'? "));
     Error::usage(
         format!("there is no listing '{name}'"),
-        format!("the listings are {}", names.collect::<Vec<_>>().join(", ")),
+        format!(
+            "{}the listings are {}",
+            meant.unwrap_or_default(),
+            names.join(", ")
+        ),
     )
 }
 
-/// Every query is answered as if each peel had found one fragment.
-fn unroll(listing: &steps::Listing, amendments: &[Amendment], rounds: u32) -> Result<String> {
-    let variables = ["num_passes", "num_layers", "iteration_limit"]
+/// The values of a listing's free variables: those that are set, and for some what a loop of so many rounds needs. Every
+/// query is answered as if each peel had found one fragment.
+fn unroll(
+    listing: &steps::Listing,
+    amendments: &[Amendment],
+    rounds: u32,
+    set: &[(String, f64)],
+) -> Result<String> {
+    let free = free_variables(listing, amendments);
+    let mut variables = ROUNDS
         .into_iter()
         .fold(Variables::new(), |variables, name| {
             variables.with(name, f64::from(rounds))
@@ -154,7 +173,53 @@ fn unroll(listing: &steps::Listing, amendments: &[Amendment], rounds: u32) -> Re
         .with("occlusion_ratio", 0.0)
         .with("window_area", 1.0)
         .with("composited", 0.0);
+    for (name, value) in set {
+        let known = free.iter().find(|other| *other == name);
+        variables.set(known.ok_or_else(|| not_free(name, &free))?, *value);
+    }
+    let missing = |name: &&&str| variables.get(name).is_none();
+    let missing: Vec<&str> = free.iter().filter(missing).copied().collect();
     let mut recorder = Recorder::new().answering_every_query(1);
-    run(listing, amendments, variables, &mut recorder)?;
+    let done = run(listing, amendments, variables, &mut recorder);
+    // A variable that is read only where an amendment stands instead is not missed.
+    done.map_err(|error| match missing[..] {
+        [] => error,
+        [first, ..] => Error::usage(
+            format!(
+                "'{}' reads variables that nothing sets: {}",
+                listing.title,
+                missing.join(", ")
+            ),
+            format!("Give each a value, as in --set {first}=4."),
+        ),
+    })?;
     Ok(recorder.trace())
+}
+
+/// Variables that say how many rounds there are.
+const ROUNDS: [&str; 3] = ["num_passes", "num_layers", "iteration_limit"];
+
+fn not_free(name: &str, free: &[&str]) -> Error {
+    let remedy = if free.is_empty() {
+        "It has none: leave out --set.".to_owned()
+    } else {
+        did_you_mean(name, free)
+    };
+    Error::usage(format!("the listing has no free variable '{name}'"), remedy)
+}
+
+fn variable(text: &str) -> Result<(String, f64)> {
+    let wrong = || {
+        Error::usage(
+            format!("'{text}' sets no variable"),
+            "write NAME=VALUE, such as num_passes=4, with a value from -1000000 to 1000000",
+        )
+    };
+    let (name, value) = text.split_once('=').ok_or_else(wrong)?;
+    let value: f64 = value.trim().parse().map_err(|_| wrong())?;
+    // Loops end, and NaN is in no range.
+    if name.trim().is_empty() || !(-1e6..=1e6).contains(&value) {
+        return Err(wrong());
+    }
+    Ok((name.trim().to_owned(), value))
 }

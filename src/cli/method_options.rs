@@ -23,7 +23,7 @@ pub(super) struct MethodOptions {
     /// At most this many peels, nearest first; 0 means no limit, as VTK documents it. Dual and coplanar depth peeling
     /// have it too
     #[arg(long, default_value_t = 0, value_name = "N", help_heading = PEELING)]
-    peels: u32,
+    pub(super) peels: u32,
     /// Stop after a peel that changed fewer pixels than this part of the image; 0 is exact. Dual depth peeling has it
     /// too
     #[arg(long, default_value_t = 0.0, value_name = "0..1", help_heading = PEELING)]

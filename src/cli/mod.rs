@@ -2,6 +2,7 @@
 
 mod a_buffer_options;
 mod animate;
+mod arguments;
 mod check;
 mod compare;
 mod complexity;
@@ -10,6 +11,7 @@ mod encoding;
 mod frame_folder;
 mod frame_row;
 mod listing;
+mod memory;
 mod method_options;
 mod methods;
 mod output;
@@ -66,8 +68,11 @@ enum Command {
 
 /// Runs the command line.
 pub(crate) fn run() -> ExitCode {
-    // clap prints its own messages, and exits with 2 where the command line is wrong.
-    let done = match Cli::parse().command {
+    let command = match arguments::parse::<Cli>() {
+        Ok(cli) => cli.command,
+        Err(code) => return code,
+    };
+    let done = match command {
         Command::Render(render) => render.run(),
         Command::Compare(compare) => compare.run(),
         Command::Check(check) => check.run(),
@@ -79,7 +84,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Probe(probe) => probe.run(),
     };
     done.unwrap_or_else(|error| {
-        eprintln!("onionskin: {error}");
+        output::fail(&error);
         ExitCode::from(2)
     })
 }

@@ -1,14 +1,45 @@
-//! Standard output: for results, and for nothing else.
+//! Standard output, for results and for nothing else; standard error, for notes and errors.
+//!
+//! Everything goes through here, and no character of a file or of an argument that would do something to a terminal gets
+//! through.
 
 use std::fmt::Display;
-use std::io::{ErrorKind, Write, stdout};
+use std::io::{ErrorKind, Write, stderr, stdout};
 
+use onionskin::error::{printable, printable_json, printable_lines};
 use onionskin::{Error, Result};
 use serde::Serialize;
 
 /// Prints a result. Whoever reads it may stop before the end (`| head`), and that is no error.
 pub(super) fn say(text: impl Display) -> Result<()> {
-    match writeln!(stdout(), "{text}") {
+    print(&printable_lines(&text.to_string()))
+}
+
+/// Prints one JSON object on a line of its own.
+pub(super) fn print_json(record: &impl Serialize) -> Result<()> {
+    let line = serde_json::to_string(record)
+        .map_err(|e| Error::usage(format!("cannot write JSON: {e}"), "leave out --json"))?;
+    print(&printable_json(&line))
+}
+
+/// Says something besides the result, in one line.
+pub(super) fn note(text: impl Display) {
+    complain(&format!("note: {}", printable(&text.to_string())));
+}
+
+/// Says why there is no result.
+pub(super) fn fail(error: &Error) {
+    complain(&format!("onionskin: {error}"));
+}
+
+/// Where standard error is broken there is nobody to be told, and the exit code says enough.
+pub(super) fn complain(text: &str) {
+    let _ = writeln!(stderr(), "{}", printable_lines(text));
+}
+
+fn print(text: &str) -> Result<()> {
+    let mut out = stdout();
+    match writeln!(out, "{text}").and_then(|()| out.flush()) {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(Error::Output {
             path: "standard output".into(),
             what: error.to_string(),
@@ -16,11 +47,4 @@ pub(super) fn say(text: impl Display) -> Result<()> {
         }),
         _ => Ok(()),
     }
-}
-
-/// Prints one JSON object on a line of its own.
-pub(super) fn print_json(record: &impl Serialize) -> Result<()> {
-    let line = serde_json::to_string(record)
-        .map_err(|e| Error::usage(format!("cannot write JSON: {e}"), "leave out --json"))?;
-    say(line)
 }

@@ -5,6 +5,7 @@ use std::thread::JoinHandle;
 use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use onionskin::error::printable;
 
 const PATIENCE: Duration = Duration::from_secs(1);
 
@@ -27,7 +28,7 @@ impl Progress {
             ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar());
         let bar = ProgressBar::with_draw_target(Some(parts), ProgressDrawTarget::hidden())
             .with_style(style)
-            .with_message(message.to_owned());
+            .with_message(printable(message).into_owned());
         let (done, is_done) = channel::<()>();
         let late = bar.clone();
         let thread = std::thread::spawn(move || {
@@ -46,7 +47,7 @@ impl Progress {
 
     /// The next part begins.
     pub(super) fn next(&self, message: &str) {
-        self.bar.set_message(message.to_owned());
+        self.bar.set_message(printable(message).into_owned());
     }
 
     /// A part is done.

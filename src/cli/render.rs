@@ -11,7 +11,7 @@ use onionskin::{Method, Result};
 use super::compare::FRAMES;
 use super::encoding::EncodingOption;
 use super::method_options::MethodOptions;
-use super::output::{print_json, say};
+use super::output::{self, print_json, say};
 use super::progress::Progress;
 use super::record::{Errors, Record};
 use super::setup::{SCENE_FILES, Setup};
@@ -52,21 +52,28 @@ impl Render {
         FileKind::of(&self.output)?;
         check_writable(&self.output)?;
         let scene = self.setup.scene()?;
+        self.method.slices.check_scene(&scene)?;
         let method = self.method.for_scene(method, &scene);
         let context = self.setup.gl.context()?;
         let mut renderer = self
             .method
             .slices
             .told(self.setup.renderer(&context, &scene)?)?;
+        if self.method.layers {
+            let peels = self.method.peels;
+            self.setup.check_layers(&mut renderer, &scene, peels)?;
+        }
         let progress = Progress::new(1, &format!("rendering {} by {method}", scene.name));
         // A picture needs one frame; a time that is to be compared needs several.
         let frame = if self.json {
             renderer.measure(&scene, &method, FRAMES)?
+        } else if method == Method::Exact {
+            self.setup.exact(&mut renderer, &scene)?
         } else {
             renderer.render(&scene, &method)?
         };
         let error = if self.json {
-            let exact = renderer.render(&scene, &Method::Exact)?;
+            let exact = self.setup.exact(&mut renderer, &scene)?;
             Some(Errors::new(&frame, &exact)?)
         } else {
             None
@@ -78,7 +85,7 @@ impl Render {
             None => say(&frame.stats)?,
         }
         if let Some(note) = loss(&frame.stats) {
-            eprintln!("note: {note}");
+            output::note(note);
         }
         Ok(ExitCode::SUCCESS)
     }

@@ -1,13 +1,15 @@
 //! Arguments that several subcommands have: which scene, at which size, by which OpenGL.
 
+use std::cell::OnceCell;
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 use onionskin::gl::{Backend, Format};
 use onionskin::oracle::DepthBuffer;
-use onionskin::scene::Animation;
-use onionskin::{Context, Error, Renderer, Result, Scene};
+use onionskin::scene::{Animation, LoadOptions};
+use onionskin::{Context, Error, MemoryLimit, Renderer, Result, Scene};
 
+use super::output::note;
 use super::probe;
 use super::progress::Progress;
 
@@ -75,6 +77,13 @@ pub(super) struct Setup {
     /// Test, store and compare 1/w instead of window-space depth: exact to a part of the distance, but slower
     #[arg(long, help_heading = RENDERING)]
     inverse_w: bool,
+    /// The most memory that is taken, such as 8G or 500M; what needs more is refused before it is taken [default: what
+    /// the machine has left]
+    #[arg(long, value_name = "SIZE", help_heading = RENDERING)]
+    max_memory: Option<MemoryLimit>,
+    /// What there is if nobody says how much, asked once.
+    #[arg(skip)]
+    of_machine: OnceCell<MemoryLimit>,
     #[command(flatten)]
     pub(super) gl: Gl,
 }
@@ -134,13 +143,26 @@ impl Setup {
     pub(super) fn animation(&self) -> Result<Animation> {
         // Known to be wrong before anything long begins.
         self.gl.backend()?;
+        let options = LoadOptions {
+            size: self.size,
+            memory: self.memory(),
+        };
         let progress = Progress::new(1, &format!("loading {}", self.scene.display()));
-        let animation = Animation::load_at(&self.scene, self.size)?;
+        let animation = Animation::load_with(&self.scene, &options)?;
         drop(progress);
-        for notice in &animation.scene.notices {
-            eprintln!("note: {notice}");
+        let notices = &animation.scene.notices;
+        notices.iter().take(MOST_NOTES).for_each(note);
+        if let more @ 1.. = notices.len().saturating_sub(MOST_NOTES) {
+            note(format_args!("and {more} more notes like these"));
         }
+        self.check_memory(&animation.scene)?;
         Ok(animation)
+    }
+
+    /// How much memory may be taken. What is taken is taken of the same, whoever asks.
+    pub(super) fn memory(&self) -> MemoryLimit {
+        let of_machine = || self.of_machine.get_or_init(MemoryLimit::of_machine);
+        self.max_memory.as_ref().unwrap_or_else(of_machine).clone()
     }
 
     /// How colours and depths are stored, in words.
@@ -160,7 +182,7 @@ impl Setup {
             Depth::D32f => Format::Depth32FStencil8,
         };
         if let Some(waste) = waste(scene) {
-            eprintln!("note: {waste}{}", self.planes.answer(scene));
+            note(format_args!("{waste}{}", self.planes.answer(scene)));
         }
         let renderer = Renderer::new(context, scene.size[0], scene.size[1])?;
         let renderer = renderer.with_formats(color, depth);
@@ -207,6 +229,9 @@ impl Planes {
         }
     }
 }
+
+/// As many notes of a scene are shown; the last of thousands would hide what comes after.
+const MOST_NOTES: usize = 40;
 
 fn size(text: &str) -> Result<[u32; 2], Error> {
     let wrong = || {

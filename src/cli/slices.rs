@@ -4,7 +4,7 @@ use std::fmt;
 
 use clap::Args;
 use onionskin::methods::MOST_SLICES;
-use onionskin::{Error, Method, Renderer, Result};
+use onionskin::{Error, Method, Renderer, Result, Scene};
 
 #[derive(Args)]
 pub(super) struct Slices {
@@ -17,6 +17,20 @@ pub(super) struct Slices {
 impl Slices {
     pub(super) fn is_given(&self) -> bool {
         self.slices.is_some()
+    }
+
+    /// Whether there is anything to be sliced.
+    ///
+    /// # Errors
+    /// It is given, and there are no volumes.
+    pub(super) fn check_scene(&self, scene: &Scene) -> Result<()> {
+        if self.is_given() && scene.volumes.is_empty() {
+            return Err(Error::usage(
+                format!("--slices is given, and {} has no volumes", scene.name),
+                "leave it out, or give a scene with a [[volume]]",
+            ));
+        }
+        Ok(())
     }
 
     /// A renderer that draws volumes so.

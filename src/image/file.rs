@@ -1,12 +1,13 @@
 //! Picture files: PNG in 8 bits, EXR in 32-bit float. Written whole or not at all.
 
-use std::io::{BufWriter, Cursor, Write};
+use std::io::Cursor;
 use std::path::Path;
 
-use image::{DynamicImage, ImageFormat, ImageReader, Rgba32FImage, RgbaImage};
+use image::{DynamicImage, ImageFormat, Rgba32FImage, RgbaImage};
 
 use super::Image;
-use crate::error::{Error, Place, Result};
+use super::output::write_whole;
+use crate::error::{Error, Result};
 use crate::fragment::Rgba;
 
 /// What the numbers of an 8-bit picture mean.
@@ -27,9 +28,6 @@ pub enum FileKind {
     /// `.exr`: four channels of 32-bit float.
     Exr,
 }
-
-/// The largest picture that is read: 2 GiB, more than any driver's largest image takes on the disk.
-const MAX_BYTES: u64 = 2 << 30;
 
 impl FileKind {
     /// The kind that a file's name says.
@@ -73,45 +71,16 @@ impl Image {
             FileKind::Png => (self.to_bytes(encoding), ImageFormat::Png),
             FileKind::Exr => (self.to_floats(), ImageFormat::OpenExr),
         };
-        write_whole(path, |file| {
-            // The encoders want to seek; a buffer lets them.
-            let mut buffer = Cursor::new(Vec::new());
-            picture
-                .write_to(&mut buffer, format)
-                .map_err(|e| e.to_string())?;
-            file.write_all(buffer.get_ref()).map_err(|e| e.to_string())
-        })
-    }
-
-    /// Reads a `.png` or `.exr`. 8-bit values are taken as linear.
-    ///
-    /// # Errors
-    /// If the file is not there or is not what its name says.
-    pub fn load(path: impl AsRef<Path>) -> Result<Self> {
-        let path = path.as_ref();
-        let format = match FileKind::of(path)? {
-            FileKind::Png => ImageFormat::Png,
-            FileKind::Exr => ImageFormat::OpenExr,
-        };
-        let wrong =
-            |what: String| Error::input(Place::file(path), what, "give a PNG or EXR picture");
-        let metadata = std::fs::metadata(path);
-        let metadata = metadata.map_err(|e| wrong(format!("cannot read it: {e}")))?;
-        if !metadata.is_file() || metadata.len() > MAX_BYTES {
-            let what = format!("this is no file of at most {MAX_BYTES} bytes");
-            return Err(wrong(what));
-        }
-        let bytes = std::fs::read(path).map_err(|e| wrong(format!("cannot read it: {e}")))?;
-        let picture = ImageReader::with_format(Cursor::new(bytes), format).decode();
-        let picture = picture
-            .map_err(|e| wrong(format!("cannot decode it: {e}")))?
-            .into_rgba32f();
-        let (width, height) = picture.dimensions();
-        Ok(Self {
-            width,
-            height,
-            pixels: picture.pixels().map(|pixel| pixel.0.into()).collect(),
-        })
+        // The encoders want to seek; a buffer lets them.
+        let mut buffer = Cursor::new(Vec::new());
+        picture
+            .write_to(&mut buffer, format)
+            .map_err(|error| Error::Output {
+                path: path.to_owned(),
+                what: error.to_string(),
+                remedy: "render it smaller, or as another kind of picture".into(),
+            })?;
+        write_whole(path, buffer.get_ref())
     }
 
     fn to_bytes(&self, encoding: Encoding) -> DynamicImage {
@@ -136,78 +105,10 @@ impl Image {
 }
 
 /// IEC 61966-2-1's encoding of a linear value.
-fn srgb(linear: f32) -> f32 {
+pub(super) fn srgb(linear: f32) -> f32 {
     if linear <= 0.003_130_8 {
         12.92 * linear
     } else {
         1.055 * linear.powf(1.0 / 2.4) - 0.055
-    }
-}
-
-/// Writes a file beside its place and moves it there when it is whole.
-pub(crate) fn write_whole(
-    path: &Path,
-    write: impl FnOnce(&mut BufWriter<&mut tempfile::NamedTempFile>) -> Result<(), String>,
-) -> Result<()> {
-    let wrong = |what: String| unwritable(path, what);
-    let folder = folder_for(path)?;
-    let mut builder = tempfile::Builder::new();
-    #[cfg(unix)]
-    {
-        use std::os::unix::fs::PermissionsExt;
-        // A temporary file is private by default; a picture is as public as the user's umask lets it.
-        builder.permissions(std::fs::Permissions::from_mode(0o666));
-    }
-    let mut file = builder
-        .prefix(UNFINISHED)
-        .tempfile_in(folder)
-        .map_err(|e| wrong(e.to_string()))?;
-    let mut buffer = BufWriter::new(&mut file);
-    write(&mut buffer)
-        .and_then(|()| buffer.flush().map_err(|e| e.to_string()))
-        .map_err(wrong)?;
-    drop(buffer);
-    file.persist(path).map_err(|e| wrong(e.error.to_string()))?;
-    Ok(())
-}
-
-/// How the names of files begin that are not whole yet. Only a killed program leaves one behind.
-pub const UNFINISHED: &str = ".onionskin-";
-
-/// Asks, before a long computation, whether its result could be written to `path`.
-///
-/// # Errors
-/// If it could not.
-pub fn check_writable(path: &Path) -> Result<()> {
-    tempfile::Builder::new()
-        .prefix(UNFINISHED)
-        .tempfile_in(folder_for(path)?)
-        .map_err(|e| unwritable(path, e.to_string()))?;
-    Ok(())
-}
-
-/// The folder in which a file is to appear.
-fn folder_for(path: &Path) -> Result<&Path> {
-    if path.is_dir() {
-        return Err(unwritable(path, "there is a folder of that name".into()));
-    }
-    let folder = path.parent().unwrap_or(Path::new(""));
-    if folder.as_os_str().is_empty() {
-        return Ok(Path::new("."));
-    }
-    if !folder.is_dir() {
-        let what = format!("there is no folder {}", folder.display());
-        return Err(unwritable(path, what));
-    }
-    Ok(folder)
-}
-
-fn unwritable(path: &Path, what: String) -> Error {
-    Error::Output {
-        path: path.to_owned(),
-        what,
-        remedy:
-            "check that the folder exists, that you may write there, and that the disk has room"
-                .into(),
     }
 }

@@ -2,10 +2,15 @@
 
 mod compare;
 mod file;
+mod load;
+mod output;
+mod resemblance;
 
 pub use compare::{Comparison, difference_picture};
-pub(crate) use file::write_whole;
-pub use file::{Encoding, FileKind, UNFINISHED, check_writable};
+pub use file::{Encoding, FileKind};
+pub(crate) use output::write_whole;
+pub use output::{UNFINISHED, check_writable};
+pub use resemblance::{NEARLY_ALL, Resemblance, resemblance};
 
 use crate::fragment::Rgba;
 

@@ -11,7 +11,7 @@ use super::dual_depth_peeling::DualDepthPeelingOptions;
 use super::ideal_coherent_layer_peeling::{self as ideal, IdealOptions};
 use super::layer_peeling::LayerPeelingOptions;
 use super::sorting::Sorting;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, did_you_mean};
 use crate::gl::Driver;
 
 /// A method with its options.
@@ -311,7 +311,7 @@ impl FromStr for Method {
                 let names: Vec<_> = registry().iter().map(|entry| entry.name).collect();
                 Error::usage(
                     format!("there is no method '{name}'"),
-                    format!("the methods are {}", names.join(", ")),
+                    did_you_mean(name, &names),
                 )
             })
     }

@@ -12,7 +12,6 @@ pub use convergence::{Curves, convergence};
 pub use histogram::{Plot, PlotKind, plot};
 pub use series::{BINS, Moment, save_series_csv, series, series_csv};
 
-use std::io::Write;
 use std::path::Path;
 
 /// Writes a text; the file appears only when it is whole.
@@ -20,7 +19,5 @@ use std::path::Path;
 /// # Errors
 /// If it cannot be written.
 pub fn save_text(path: &Path, text: &str) -> crate::error::Result<()> {
-    crate::image::write_whole(path, |file| {
-        file.write_all(text.as_bytes()).map_err(|e| e.to_string())
-    })
+    crate::image::write_whole(path, text.as_bytes())
 }

@@ -8,7 +8,7 @@ use flate2::Crc;
 
 use super::fit::PartialCamera;
 use super::path::CameraPath;
-use super::{Scene, file, joined};
+use super::{LoadOptions, Scene, file, joined};
 use crate::error::{Error, Result};
 
 /// A scene and its camera path. Every frame is a function of its number.
@@ -21,16 +21,45 @@ pub struct Animation {
     /// Whether the scene file has a path; if not, `path` is the default.
     pub has_path: bool,
     pub(super) wish: PartialCamera,
-    /// From which frame on what is shown, in the order of the frames. Before the first one everything is.
+    pub(super) shows: Shows,
+}
+
+/// What is shown when. A show has names, and what has a name is kept once: many of both take no more than their sum.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(super) struct Shows {
+    /// What has one name, for each of the names.
+    pub(super) named: Vec<Named>,
+    /// In the order of the frames. Before the first one everything is shown.
     pub(super) shows: Vec<Show>,
 }
 
-/// From this frame on these are shown, and nothing else.
+/// What has one name.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(super) struct Named {
+    pub(super) meshes: Vec<Range<usize>>,
+    pub(super) volumes: Vec<Range<usize>>,
+}
+
+/// From this frame on what has these names is shown, and nothing else.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Show {
     pub(super) from: u32,
-    pub(super) meshes: Vec<Range<usize>>,
-    pub(super) volumes: Vec<Range<usize>>,
+    /// Places in [`Shows::named`], in their order, none twice.
+    pub(super) names: Vec<usize>,
+}
+
+impl Shows {
+    /// What is shown in a frame, in the scene's order; nothing is said of frames in which everything is.
+    fn at(&self, frame: u32) -> Option<Named> {
+        let begun = self.shows.partition_point(|show| show.from <= frame);
+        let show = &self.shows[begun.checked_sub(1)?];
+        let named = || show.names.iter().map(|&name| &self.named[name]);
+        let mut meshes: Vec<_> = named().flat_map(|n| &n.meshes).cloned().collect();
+        let mut volumes: Vec<_> = named().flat_map(|n| &n.volumes).cloned().collect();
+        meshes.sort_unstable_by_key(|range| range.start);
+        volumes.sort_unstable_by_key(|range| range.start);
+        Some(Named { meshes, volumes })
+    }
 }
 
 impl Animation {
@@ -47,19 +76,27 @@ impl Animation {
     /// # Errors
     /// As [`Scene::load`].
     pub fn load_at(path: impl AsRef<Path>, size: Option<[u32; 2]>) -> Result<Self> {
+        Self::load_with(path, &size.into())
+    }
+
+    /// Reads the same by options.
+    ///
+    /// # Errors
+    /// As [`Scene::load_with`].
+    pub fn load_with(path: impl AsRef<Path>, options: &LoadOptions) -> Result<Self> {
         let path = path.as_ref();
         if path
             .extension()
             .is_some_and(|ending| ending.eq_ignore_ascii_case("toml"))
         {
-            return file::load(path, size);
+            return file::load(path, options);
         }
         Ok(Self {
-            scene: Scene::load_at(path, size)?,
+            scene: Scene::load_with(path, options)?,
             path: CameraPath::default(),
             has_path: false,
             wish: PartialCamera::default(),
-            shows: Vec::new(),
+            shows: Shows::default(),
         })
     }
 
@@ -74,11 +111,21 @@ impl Animation {
                 "Frames count from 0.",
             ));
         }
-        let mut scene = self.scene.clone();
-        if let Some(show) = self.shows.iter().rev().find(|show| show.from <= frame) {
-            scene.meshes = pick(&scene.meshes, &show.meshes);
-            scene.volumes = pick(&scene.volumes, &show.volumes);
-        }
+        let whole = &self.scene;
+        let (meshes, volumes) = match self.shows.at(frame) {
+            Some(shown) => (
+                pick(&whole.meshes, &shown.meshes),
+                pick(&whole.volumes, &shown.volumes),
+            ),
+            None => (whole.meshes.clone(), whole.volumes.clone()),
+        };
+        let mut scene = Scene {
+            name: whole.name.clone(),
+            notices: whole.notices.clone(),
+            meshes,
+            volumes,
+            ..*whole
+        };
         let first = self.scene.camera;
         // Clip planes that the file leaves open follow the eye.
         let moved = PartialCamera {

@@ -69,6 +69,11 @@ impl Mesh {
         }
     }
 
+    /// How much memory its vertices and triangles take, in bytes.
+    pub fn bytes(&self) -> u64 {
+        bytes(self.vertices.len() as u64, self.triangles.len() as u64)
+    }
+
     /// How many triangles it has.
     pub fn triangle_count(&self) -> usize {
         self.triangles.len()
@@ -132,6 +137,12 @@ impl Mesh {
         });
         before - self.triangles.len()
     }
+}
+
+/// How much memory so many take, in bytes.
+pub(super) fn bytes(vertices: u64, triangles: u64) -> u64 {
+    let of_vertices = vertices.saturating_mul(size_of::<Vertex>() as u64);
+    of_vertices.saturating_add(triangles.saturating_mul(size_of::<[u32; 3]>() as u64))
 }
 
 /// Whether nothing shines through any of the vertices.

@@ -33,6 +33,27 @@ pub use transform::Transform;
 pub use volume::{MAX_SAMPLES, Medium, Transfer, TransferPoint, Volume};
 
 use crate::error::{Error, Place, Result};
+use crate::memory::MemoryLimit;
+
+/// What loading goes by.
+#[derive(Clone, Debug, Default)]
+pub struct LoadOptions {
+    /// Width and height of the image in pixels, instead of the file's. What is fitted of the camera is fitted to them.
+    pub size: Option<[u32; 2]>,
+    /// How much memory the scene may take. What would take more is refused before it is allocated. The default is what
+    /// the machine has left.
+    pub memory: MemoryLimit,
+}
+
+impl From<Option<[u32; 2]>> for LoadOptions {
+    /// For images of this size, if there is one.
+    fn from(size: Option<[u32; 2]>) -> Self {
+        Self {
+            size,
+            ..Self::default()
+        }
+    }
+}
 
 /// Everything an image depends on.
 #[derive(Clone, Debug)]
@@ -73,11 +94,19 @@ impl Scene {
     /// # Errors
     /// As [`Scene::load`].
     pub fn load_at(path: impl AsRef<Path>, size: Option<[u32; 2]>) -> Result<Self> {
+        Self::load_with(path, &size.into())
+    }
+
+    /// Reads the same by options.
+    ///
+    /// # Errors
+    /// As [`Scene::load`]; or it takes more memory than the options allow.
+    pub fn load_with(path: impl AsRef<Path>, options: &LoadOptions) -> Result<Self> {
         let path = path.as_ref();
         let extension = path.extension().unwrap_or_default().to_ascii_lowercase();
         match extension.to_str() {
-            Some("toml") => Ok(file::load(path, size)?.scene),
-            Some("obj") => Self::load_model(path, size),
+            Some("toml") => Ok(file::load(path, options)?.scene),
+            Some("obj") => Self::load_model(path, options),
             _ => Err(Error::input(
                 Place::file(path),
                 "this is neither a scene file nor a model that can be read",
@@ -120,9 +149,10 @@ impl Scene {
         self.meshes.iter().map(Mesh::triangle_count).sum()
     }
 
-    fn load_model(path: &Path, size: Option<[u32; 2]>) -> Result<Self> {
-        let model = obj::load(path, &obj::Paint::default())?;
-        let mut scene = Self::of_size(stem(path), model.meshes, size.unwrap_or(Self::DEFAULT_SIZE));
+    fn load_model(path: &Path, options: &LoadOptions) -> Result<Self> {
+        let model = obj::load(path, &obj::Paint::default(), &options.memory)?;
+        let size = options.size.unwrap_or(Self::DEFAULT_SIZE);
+        let mut scene = Self::of_size(stem(path), model.meshes, size);
         scene.notices = model.notices;
         for mesh in &mut scene.meshes {
             mesh.shading = Shading::Lit;

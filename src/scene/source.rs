@@ -4,7 +4,8 @@ use std::fs::{self, File};
 use std::io::{ErrorKind, Read};
 use std::path::Path;
 
-use crate::error::{Error, Place, Result};
+use crate::error::{Error, Place, Result, with_slashes};
+use crate::memory::MemoryLimit;
 
 /// The largest file that is read: 2 GiB, some thirty million triangles of OBJ. A larger one is refused by its size,
 /// before a byte of it is read.
@@ -14,14 +15,14 @@ pub const MAX_BYTES: u64 = 2 << 30;
 const HEAD: u64 = 4096;
 
 /// The file's bytes, which look like text (there is no NUL in its head).
-pub(super) fn read(path: &Path) -> Result<Vec<u8>> {
-    expect_readable(path)?;
+pub(super) fn read(path: &Path, memory: &MemoryLimit) -> Result<Vec<u8>> {
+    expect_readable(path, memory)?;
     read_text(path).map_err(|error| unreadable(path, &error))?
 }
 
 /// The file's bytes, whatever they are.
-pub(super) fn read_bytes(path: &Path) -> Result<Vec<u8>> {
-    expect_readable(path)?;
+pub(super) fn read_bytes(path: &Path, memory: &MemoryLimit) -> Result<Vec<u8>> {
+    expect_readable(path, memory)?;
     let read = || -> std::io::Result<Vec<u8>> {
         let mut bytes = Vec::new();
         File::open(path)?.take(MAX_BYTES).read_to_end(&mut bytes)?;
@@ -30,7 +31,7 @@ pub(super) fn read_bytes(path: &Path) -> Result<Vec<u8>> {
     read().map_err(|error| unreadable(path, &error))
 }
 
-fn expect_readable(path: &Path) -> Result<()> {
+fn expect_readable(path: &Path, memory: &MemoryLimit) -> Result<()> {
     let metadata = fs::metadata(path).map_err(|error| unreadable(path, &error))?;
     if metadata.is_dir() {
         let what = "this is a directory, not a file";
@@ -51,7 +52,9 @@ fn expect_readable(path: &Path) -> Result<()> {
             "Split it into several files, or simplify the model.",
         ));
     }
-    Ok(())
+    let bytes = format!("this file's {} bytes", metadata.len());
+    let room = memory.check(metadata.len());
+    room.map_err(|shortage| shortage.at(Place::file(path), bytes))
 }
 
 /// The outer error is the system's, the inner one ours.
@@ -59,6 +62,10 @@ fn read_text(path: &Path) -> std::io::Result<Result<Vec<u8>>> {
     let mut file = File::open(path)?;
     let mut bytes = Vec::new();
     file.by_ref().take(HEAD).read_to_end(&mut bytes)?;
+    if let Some(encoding) = encoding(&bytes) {
+        let what = format!("this is text in {encoding}");
+        return Ok(Err(refused(path, &what, "Save it as UTF-8.")));
+    }
     if let Some(at) = bytes.iter().position(|&byte| byte == 0) {
         let line = 1 + bytes[..at].iter().filter(|&&byte| byte == b'\n').count();
         return Ok(Err(Error::input(
@@ -72,7 +79,26 @@ fn read_text(path: &Path) -> std::io::Result<Result<Vec<u8>>> {
     Ok(Ok(bytes))
 }
 
+/// The encoding that a text's first bytes tell, if it is none that is read: by its mark, or because every other byte of
+/// text in Latin letters is 0.
+fn encoding(head: &[u8]) -> Option<&'static str> {
+    let zeros = |first: usize| {
+        let every_other = head.iter().skip(first).step_by(2);
+        every_other.clone().count() > 1 && every_other.clone().all(|&byte| byte == 0)
+    };
+    let is_text = |first: usize| !head.iter().skip(first).step_by(2).any(|&byte| byte == 0);
+    match head {
+        [0xff, 0xfe, 0, 0, ..] | [0, 0, 0xfe, 0xff, ..] => Some("UTF-32"),
+        [0xff, 0xfe, ..] | [0xfe, 0xff, ..] => Some("UTF-16"),
+        _ if zeros(1) && is_text(0) || zeros(0) && is_text(1) => Some("UTF-16"),
+        _ => None,
+    }
+}
+
 fn unreadable(path: &Path, error: &std::io::Error) -> Error {
+    if let Some(remedy) = with_slashes(path) {
+        return refused(path, "there is no such file", &remedy);
+    }
     match error.kind() {
         ErrorKind::NotFound => refused(
             path,

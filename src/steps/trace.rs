@@ -15,6 +15,9 @@ pub struct Recorder {
     otherwise: Option<u64>,
 }
 
+/// The longest trace: more than anybody reads, and than any listing takes for a thousand rounds.
+const MOST_CALLS: usize = 1 << 20;
+
 impl Recorder {
     /// Nothing recorded, and no answer to any query.
     pub fn new() -> Self {
@@ -43,6 +46,12 @@ impl Recorder {
 
 impl Machine for Recorder {
     fn perform(&mut self, call: &Call) -> Result<()> {
+        if self.calls.len() >= MOST_CALLS {
+            return Err(Error::usage(
+                format!("the trace has more than {MOST_CALLS} calls"),
+                "ask for fewer rounds",
+            ));
+        }
         self.calls.push(*call);
         Ok(())
     }

@@ -108,6 +108,11 @@ impl Context {
         Ok(())
     }
 
+    /// Whether onionskin has made it.
+    pub(in crate::gl) fn is_own(&self) -> bool {
+        self.current.is_some()
+    }
+
     /// Returns whether it is the first one.
     pub(in crate::gl) fn begin_visit(&self) -> bool {
         self.visits.set(self.visits.get() + 1);

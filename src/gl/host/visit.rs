@@ -51,7 +51,7 @@ impl Context {
     ///
     /// # Errors
     /// If the context cannot be made current, or is in the middle of something that cannot be interrupted: a query that
-    /// counts samples, a conditional render, or a program in use that has been deleted.
+    /// counts samples, a conditional render, or, if it is someone else's, a program in use that has been deleted.
     pub fn visit(&self) -> Result<Visit<'_>> {
         let away = self.enter()?;
         if !self.begin_visit() {
@@ -69,7 +69,13 @@ impl Context {
         };
         self.note_foreign_errors();
         expect_interruptible(self)?;
-        let bindings = Bindings::read(self);
+        let mut bindings = Bindings::read(self);
+        if bindings.doomed_program(self).is_some() && self.is_own() {
+            // A machine's that has been dropped.
+            // SAFETY: the context is current.
+            unsafe { self.glow().use_program(None) };
+            bindings = Bindings::read(self);
+        }
         if bindings.doomed_program(self).is_some() {
             return Err(Error::usage(
                 "the context uses a program that has been deleted, which could not be put back",

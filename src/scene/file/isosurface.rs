@@ -2,9 +2,8 @@
 
 use super::keys::Keys;
 use super::limits::ANY;
-use super::nearest::nearest;
 use super::volume::NamedVolume;
-use crate::error::Result;
+use crate::error::{Result, nearest};
 use crate::scene::generate::Isosurface;
 
 /// Its own keys.

@@ -9,10 +9,9 @@ use toml::Spanned;
 use toml::de::DeTable;
 
 use super::limits::Limits;
-use super::nearest::nearest;
 use super::place::Document;
 use super::value::Value;
-use crate::error::{Error, Place, Result};
+use crate::error::{Error, Place, Result, nearest};
 
 /// A table and what it is called.
 pub(super) struct Keys<'a> {

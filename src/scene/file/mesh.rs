@@ -9,7 +9,7 @@ use super::volume::NamedVolume;
 use super::{generator, transform};
 use crate::error::Result;
 use crate::scene::generate::MAX_TRIANGLES;
-use crate::scene::mesh::{Mesh, Shading};
+use crate::scene::mesh::{self, Mesh, Shading};
 use crate::scene::obj::{self, Paint};
 
 /// All meshes of a file, in its order.
@@ -99,6 +99,12 @@ fn generate(
         );
         return Err(keys.wrong("generate", what, "Ask for fewer."));
     }
+    take(
+        keys,
+        "generate",
+        generator.triangle_count(),
+        generator.bytes(),
+    )?;
     let mesh = generator.build();
     loaded.meshes.push(if generator.has_colors() {
         mesh
@@ -121,10 +127,16 @@ fn read_file(keys: &Keys, file: &str, loaded: &mut Loaded) -> Result<()> {
             "Give a Wavefront model (.obj).",
         ));
     }
-    let model = obj::load(&path, &paint(keys)?)?;
+    let model = obj::load(&path, &paint(keys)?, keys.document.memory)?;
     loaded.meshes.extend(model.meshes);
     loaded.notices.extend(model.notices);
     Ok(())
+}
+
+/// Takes the memory of so many triangles, or says that it is not there.
+fn take(keys: &Keys, key: &str, triangles: u64, bytes: u64) -> Result<()> {
+    let room = keys.document.memory.take(bytes);
+    room.map_err(|shortage| shortage.at(keys.place(key), format!("{triangles} triangles")))
 }
 
 fn paint(keys: &Keys) -> Result<Paint> {
@@ -162,6 +174,13 @@ fn finish(keys: &Keys, loaded: &mut Loaded, first: usize) -> Result<()> {
         mesh.inside = inside.unwrap_or(mesh.inside);
         mesh.sorted = sorted;
         if shading == Shading::Flat {
+            let triangles = mesh.triangle_count() as u64;
+            take(
+                keys,
+                "shading",
+                triangles,
+                mesh::bytes(3 * triangles, triangles),
+            )?;
             *mesh = mesh.with_face_normals();
         }
     }

@@ -57,7 +57,6 @@ mod isosurface;
 mod keys;
 mod limits;
 mod mesh;
-mod nearest;
 mod path;
 mod place;
 mod sources;
@@ -70,28 +69,39 @@ use std::path::Path;
 
 use toml::de::DeTable;
 
-use super::{Animation, Scene, Volume, joined, source, stem};
+use super::{Animation, LoadOptions, Scene, Volume, joined, source, stem};
 use crate::error::{Error, Place, Result};
+use crate::memory::MemoryLimit;
 use keys::Keys;
 use limits::FRACTION;
 use mesh::Loaded;
-use place::Document;
+use place::{Document, Lines};
 use sources::Source;
 use volume::NamedVolume;
 
 /// The largest scene file that is read. It is written by hand; this leaves room for one written by a program.
 const MAX_BYTES: usize = 16 << 20;
 
-/// Reads a scene file and all that it names. A given size replaces the file's.
-pub(super) fn load(path: &Path, size: Option<[u32; 2]>) -> Result<Animation> {
-    let text = read(path)?;
-    let document = Document { path, text: &text };
+/// What the parser's tree takes for a byte of a list of one-digit numbers, the densest that there is; measured.
+const BYTES_PER_BYTE: u64 = 80;
+
+/// Reads a scene file and all that it names.
+pub(super) fn load(path: &Path, options: &LoadOptions) -> Result<Animation> {
+    let memory = &options.memory;
+    let text = read(path, memory)?;
+    let lines = &Lines::of(&text);
+    let document = Document {
+        path,
+        text: &text,
+        lines,
+        memory,
+    };
     let table = DeTable::parse(&text).map_err(|error| unparsed(&document, &error))?;
     let keys = Keys::top(document, &table);
     keys.expect_only(&["size", "background", "camera", "path", "mesh", "volume"])?;
     let of_file = keys.integers("size", &(1..=65535))?;
     let of_file = of_file.map(|size| size.map(|pixels| pixels as u32));
-    let size = size.or(of_file).unwrap_or(Scene::DEFAULT_SIZE);
+    let size = options.size.or(of_file).unwrap_or(Scene::DEFAULT_SIZE);
     let background = keys.vector32("background", &FRACTION)?.unwrap_or_default();
     let camera = camera::Wish::read(&keys)?;
     let of_volumes = volume::load_all(&keys)?;
@@ -137,8 +147,8 @@ fn shown(all: Vec<NamedVolume>, sources: &mut Vec<Source>) -> Vec<Volume> {
     volumes
 }
 
-fn read(path: &Path) -> Result<String> {
-    let bytes = source::read(path)?;
+fn read(path: &Path, memory: &MemoryLimit) -> Result<String> {
+    let bytes = source::read(path, memory)?;
     if bytes.len() > MAX_BYTES {
         return Err(Error::input(
             Place::file(path),
@@ -149,14 +159,29 @@ fn read(path: &Path) -> Result<String> {
             "Put the geometry into model files, which the scene file names.",
         ));
     }
-    String::from_utf8(bytes).map_err(|error| {
-        let valid = &error.as_bytes()[..error.utf8_error().valid_up_to()];
+    let bytes_of_tree = bytes.len() as u64 * BYTES_PER_BYTE;
+    memory
+        .check(bytes_of_tree)
+        .map_err(|shortage| shortage.at(Place::file(path), "the scene file's values"))?;
+    let text = String::from_utf8(bytes).map_err(|error| {
+        let (valid, rest) = error.as_bytes().split_at(error.utf8_error().valid_up_to());
         let line = 1 + valid.iter().filter(|&&byte| byte == b'\n').count();
+        let byte = rest.first().copied().unwrap_or_default();
+        let mut what = format!("this is not UTF-8 text: it has the byte {byte:#04x}");
+        if byte >= 0xa0 {
+            // The first 256 characters of Unicode are Latin-1's.
+            what += &format!(", which is '{}' in Latin-1", char::from(byte));
+        }
         Error::input(
             Place::line(path, line),
-            "this is not UTF-8 text",
-            "Save the file as UTF-8.",
+            what,
+            "Save the file as UTF-8, in an editor or by `iconv -f latin1 -t utf-8`.",
         )
+    })?;
+    // The mark that some editors put before UTF-8.
+    Ok(match text.strip_prefix('\u{feff}') {
+        Some(text) => text.to_owned(),
+        None => text,
     })
 }
 

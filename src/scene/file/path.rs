@@ -1,11 +1,12 @@
 //! `[path]`: where the camera goes, and what is shown when.
 
+use std::collections::BTreeMap;
+
 use super::keys::Keys;
 use super::limits::{ANY, POSITIVE};
-use super::nearest::nearest;
 use super::sources::Source;
-use crate::error::Result;
-use crate::scene::animation::Show;
+use crate::error::{Error, Result, nearest};
+use crate::scene::animation::{Named, Show, Shows};
 use crate::scene::path::CameraPath;
 
 /// The longest path: at a second a frame it takes eleven days.
@@ -15,7 +16,7 @@ const MOST_FRAMES: u64 = 1_000_000;
 #[derive(Default)]
 pub(super) struct Loaded {
     pub(super) path: Option<CameraPath>,
-    pub(super) shows: Vec<Show>,
+    pub(super) shows: Shows,
 }
 
 pub(super) fn read(top: &Keys, sources: &[Source]) -> Result<Loaded> {
@@ -42,7 +43,8 @@ pub(super) fn read(top: &Keys, sources: &[Source]) -> Result<Loaded> {
     })
 }
 
-fn shows(keys: &Keys, sources: &[Source]) -> Result<Vec<Show>> {
+fn shows(keys: &Keys, sources: &[Source]) -> Result<Shows> {
+    let (names, named) = by_name(sources);
     let mut shows: Vec<Show> = Vec::new();
     for keys in keys.tables("show", "[[path.show]]")? {
         keys.expect_only(&["from", "sources"])?;
@@ -56,34 +58,46 @@ fn shows(keys: &Keys, sources: &[Source]) -> Result<Vec<Show>> {
             let what = "this does not start after the [[path.show]] before it";
             return Err(keys.wrong("from", what, "Put them into the order of their frames."));
         }
-        let names = keys.texts("sources")?.ok_or_else(|| missing("sources"))?;
-        let mut show = Show {
+        let wanted = keys.texts("sources")?.ok_or_else(|| missing("sources"))?;
+        let places = wanted.iter().map(|name| {
+            let place = names.get(name).copied();
+            place.ok_or_else(|| unknown(&keys, name, &names))
+        });
+        let mut places = places.collect::<Result<Vec<_>>>()?;
+        places.sort_unstable();
+        places.dedup();
+        shows.push(Show {
             from,
-            meshes: Vec::new(),
-            volumes: Vec::new(),
-        };
-        for source in named(&keys, &names, sources)? {
-            show.meshes.push(source.meshes.clone());
-            show.volumes.push(source.volumes.clone());
-        }
-        shows.push(show);
+            names: places,
+        });
     }
-    Ok(shows)
+    Ok(Shows { named, shows })
 }
 
-/// The sources of these names, in the file's order; several may share a name.
-fn named<'s>(keys: &Keys, names: &[&str], sources: &'s [Source]) -> Result<Vec<&'s Source>> {
-    let known: Vec<&str> = sources.iter().filter_map(|s| s.name.as_deref()).collect();
-    for name in names {
-        if !known.contains(name) {
-            let remedy = match nearest(name, &known) {
-                Some(meant) => format!("Did you mean \"{meant}\"?"),
-                None => "Give a [[mesh]] or [[volume]] this `name`.".to_owned(),
-            };
-            let what = format!("there is no mesh and no volume named \"{name}\"");
-            return Err(keys.wrong("sources", what, remedy));
+/// The place of each name, and what has it, at that place. Several sources may share a name.
+fn by_name(sources: &[Source]) -> (BTreeMap<&str, usize>, Vec<Named>) {
+    let mut names = BTreeMap::new();
+    let mut named: Vec<Named> = Vec::new();
+    for source in sources {
+        let Some(name) = source.name.as_deref() else {
+            continue;
+        };
+        let place = *names.entry(name).or_insert(named.len());
+        if place == named.len() {
+            named.push(Named::default());
         }
+        named[place].meshes.push(source.meshes.clone());
+        named[place].volumes.push(source.volumes.clone());
     }
-    let shown = |source: &&Source| source.name.as_deref().is_some_and(|n| names.contains(&n));
-    Ok(sources.iter().filter(shown).collect())
+    (names, named)
+}
+
+fn unknown(keys: &Keys, name: &str, names: &BTreeMap<&str, usize>) -> Error {
+    let known: Vec<&str> = names.keys().copied().collect();
+    let remedy = match nearest(name, &known) {
+        Some(meant) => format!("Did you mean \"{meant}\"?"),
+        None => "Give a [[mesh]] or [[volume]] this `name`.".to_owned(),
+    };
+    let what = format!("there is no mesh and no volume named \"{name}\"");
+    keys.wrong("sources", what, remedy)
 }

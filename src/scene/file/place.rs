@@ -4,12 +4,33 @@ use std::ops::Range;
 use std::path::Path;
 
 use crate::error::Place;
+use crate::memory::MemoryLimit;
 
 /// A scene file's path and text: enough to turn the parser's byte offsets into lines and words.
 #[derive(Clone, Copy)]
 pub(super) struct Document<'a> {
     pub(super) path: &'a Path,
     pub(super) text: &'a str,
+    /// Where its lines begin.
+    pub(super) lines: &'a Lines,
+    /// How much memory may be taken for what the file asks for.
+    pub(super) memory: &'a MemoryLimit,
+}
+
+/// Where the lines of a text begin, in bytes. A file may have a notice for each of its lines, so the text is gone
+/// through once.
+pub(super) struct Lines(Vec<usize>);
+
+impl Lines {
+    pub(super) fn of(text: &str) -> Self {
+        let ends = text.bytes().enumerate().filter(|(_, byte)| *byte == b'\n');
+        Self([0].into_iter().chain(ends.map(|(at, _)| at + 1)).collect())
+    }
+
+    /// The line of a byte, from 1.
+    fn at(&self, byte: usize) -> usize {
+        self.0.partition_point(|&begin| begin <= byte)
+    }
 }
 
 impl Document<'_> {
@@ -25,7 +46,6 @@ impl Document<'_> {
 
     /// The line of a byte, from 1.
     pub(super) fn line(&self, byte: usize) -> usize {
-        let before = &self.text.as_bytes()[..byte.min(self.text.len())];
-        1 + before.iter().filter(|&&byte| byte == b'\n').count()
+        self.lines.at(byte)
     }
 }

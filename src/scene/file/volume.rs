@@ -52,7 +52,7 @@ pub(super) fn load_all(top: &Keys) -> Result<Loaded> {
                 keys.expect_only(&[&["file"], &COMMON[..]].concat())?;
                 let look = Look::read(&keys)?;
                 let folder = keys.document.path.parent().unwrap_or(Path::new(""));
-                let read = volume::load(&folder.join(file))?;
+                let read = volume::load(&folder.join(file), keys.document.memory)?;
                 loaded.notices.extend(read.notices);
                 look.give(&keys, read.volume)?
             }

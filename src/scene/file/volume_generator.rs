@@ -5,8 +5,8 @@ use super::limits::ANY;
 use crate::error::Result;
 use crate::scene::Volume;
 use crate::scene::generate::{
-    Atom, Ball, Constant, Ejection, EjectionPart, Field, Gradient, Lattice, Potential, SheppLogan,
-    Swirl, sampled,
+    Atom, Ball, Constant, Ejection, EjectionPart, Field, Gradient, Lattice, Potential, Refusal,
+    SheppLogan, Swirl, bytes_of_samples, sampled,
 };
 
 /// Reads one generator's parameters. What is left out has the default that the generator documents.
@@ -34,7 +34,11 @@ pub(super) fn read(keys: &Keys, common: &[&str]) -> Result<Volume> {
     };
     keys.expect_only(&[&["generate"], *parameters, &LATTICE, common].concat())?;
     let field = reader(keys)?;
-    sampled(field.as_ref()).map_err(|refusal| keys.wrong(refusal.key, refusal.what, refusal.remedy))
+    let refused = |refusal: Refusal| keys.wrong(refusal.key, refusal.what, refusal.remedy);
+    let bytes = bytes_of_samples(field.as_ref()).map_err(refused)?;
+    let room = keys.document.memory.take(bytes);
+    room.map_err(|shortage| shortage.at(keys.place("samples"), "the samples"))?;
+    sampled(field.as_ref()).map_err(refused)
 }
 
 /// All names, for messages.

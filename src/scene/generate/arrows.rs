@@ -57,8 +57,12 @@ impl Generator for Arrows {
         u64::from(self.seeds.count) * tube::triangles_of(3, u64::from(self.sides))
     }
 
+    fn vertex_count(&self) -> u64 {
+        u64::from(self.seeds.count) * tube::vertices_of(3, u64::from(self.sides))
+    }
+
     fn build(&self) -> Mesh {
-        let mut mesh = named("arrows");
+        let mut mesh = named("arrows", self);
         for start in self.seeds.points() {
             let velocity = self.seeds.flow.velocity(start);
             let speed = velocity.length();

@@ -65,8 +65,12 @@ impl Generator for Cone {
         self.grid().triangle_count()
     }
 
+    fn vertex_count(&self) -> u64 {
+        self.grid().vertex_count()
+    }
+
     fn build(&self) -> Mesh {
-        let mut mesh = named("cone");
+        let mut mesh = named("cone", self);
         let [bottom, top, height] = [self.bottom, self.top, self.height].map(f64::from);
         self.grid().add_to(&mut mesh, |u, v| {
             let (sin, cos) = (TAU * u).sin_cos();

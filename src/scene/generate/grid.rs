@@ -23,6 +23,12 @@ impl Grid {
         (2 * u64::from(self.cells[0])).saturating_mul(u64::from(self.cells[1]))
     }
 
+    /// A direction that is closed has one row less. Saturating for the same reason.
+    pub(super) fn vertex_count(&self) -> u64 {
+        let [u, v] = [0, 1].map(|i| u64::from(self.cells[i]) + u64::from(!self.closed[i]));
+        u.saturating_mul(v)
+    }
+
     /// Adds the surface to what is there already, each vertex from its u and v, 0 to 1. Triangles are counter-clockwise
     /// for an eye on the side that (along u) x (along v) points to.
     pub(super) fn add_to(&self, mesh: &mut Mesh, vertex: impl Fn(f64, f64) -> Vertex) {

@@ -16,7 +16,7 @@ use glam::DVec3;
 use super::limits::{few_enough, refusal};
 use super::{Generator, Refusal, WHITE, checked, named};
 use crate::error::Result;
-use crate::scene::mesh::{Mesh, Vertex};
+use crate::scene::mesh::{self, Mesh, Vertex};
 use crate::scene::volume::Volume;
 
 /// The surface where a volume has a value.
@@ -92,8 +92,21 @@ impl Generator for Isosurface<'_> {
         triangles
     }
 
+    fn vertex_count(&self) -> u64 {
+        let mut vertices = 0;
+        self.for_each_crossing(|_, _| vertices += 1);
+        vertices
+    }
+
+    /// Besides the mesh, what is known of its edges while it is made: a hash table at its fullest is half empty.
+    fn bytes(&self) -> u64 {
+        let known = size_of::<((usize, usize), u32)>() as u64 * 2;
+        let vertices = self.vertex_count();
+        mesh::bytes(vertices, self.triangle_count()) + vertices * known
+    }
+
     fn build(&self) -> Mesh {
-        let mut mesh = named("isosurface");
+        let mut mesh = named("isosurface", self);
         let mut known: HashMap<(usize, usize), u32> = HashMap::new();
         let mirrored = self.volume.index_to_world().matrix3.determinant() < 0.0;
         self.for_each_triangle(|cell, edges| {
@@ -132,6 +145,29 @@ impl Isosurface<'_> {
                         cut(corners, right_handed, &inside, |edges| {
                             take([x, y, z], edges);
                         });
+                    }
+                }
+            }
+        }
+    }
+
+    /// Every edge that the surface crosses, by its lower end and its axes (bit 0 is x): each has a vertex.
+    fn for_each_crossing(&self, mut take: impl FnMut(usize, usize)) {
+        let samples = self.volume.samples();
+        let [nx, ny, nz] = self.volume.dims();
+        for z in 0..nz {
+            for y in 0..ny {
+                for x in 0..nx {
+                    let first = self.offset([x, y, z]);
+                    let inside = samples[first] >= self.value;
+                    for axes in 1..8 {
+                        let [i, j, k] = corner([x, y, z], axes);
+                        if i < nx && j < ny && k < nz {
+                            let there = samples[self.offset([i, j, k])] >= self.value;
+                            if there != inside {
+                                take(first, axes);
+                            }
+                        }
                     }
                 }
             }

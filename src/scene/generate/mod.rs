@@ -50,11 +50,12 @@ pub use volumes::{
     Atom, Ball, Constant, Ejection, EjectionPart, Gradient, Lattice, Potential, SheppLogan, Swirl,
     ball, constant, ejection, gradient, potential, shepp_logan, swirl,
 };
-pub(super) use volumes::{Field, sampled};
+pub(super) use volumes::{Field, bytes as bytes_of_samples, sampled};
 
-use super::mesh::Mesh;
+use super::mesh::{self, Mesh};
 use crate::error::{Error, Result};
 use crate::fragment::Rgba;
+use crate::memory::MemoryLimit;
 
 /// The most triangles that are generated, in one mesh or for one scene file: 20 million, which take some 2 GiB.
 pub const MAX_TRIANGLES: u64 = 20_000_000;
@@ -64,8 +65,16 @@ pub(super) trait Generator {
     /// Whether every parameter is in its range, the number of triangles among them.
     fn check(&self) -> Result<(), Refusal>;
 
-    /// How many triangles it makes.
+    /// How many triangles it makes, or may make at most.
     fn triangle_count(&self) -> u64;
+
+    /// How many vertices it makes, or may make at most.
+    fn vertex_count(&self) -> u64;
+
+    /// How much memory the mesh takes, in bytes, before a byte of it is taken.
+    fn bytes(&self) -> u64 {
+        mesh::bytes(self.vertex_count(), self.triangle_count())
+    }
 
     /// Whether its meshes have colours and opacities of their own.
     fn has_colors(&self) -> bool {
@@ -89,15 +98,23 @@ pub(super) struct Refusal {
 /// The colour of what has none of its own.
 const WHITE: Rgba = Rgba::opaque([1.0; 3]);
 
-/// A mesh to be filled.
-fn named(name: &str) -> Mesh {
-    Mesh::new(name, Vec::new(), Vec::new())
+/// A mesh to be filled, with room for all that its generator makes, so that it takes no more than that on the way.
+fn named(name: &str, generator: &impl Generator) -> Mesh {
+    let room = |count: u64| count as usize;
+    Mesh {
+        vertices: Vec::with_capacity(room(generator.vertex_count())),
+        triangles: Vec::with_capacity(room(generator.triangle_count())),
+        ..Mesh::new(name, Vec::new(), Vec::new())
+    }
 }
 
-/// The mesh, if its parameters are in their ranges.
+/// The mesh, if its parameters are in their ranges and the machine has room for it.
 fn checked(generator: &impl Generator) -> Result<Mesh> {
-    match generator.check() {
-        Ok(()) => Ok(generator.build()),
-        Err(refusal) => Err(Error::usage(refusal.what, refusal.remedy)),
-    }
+    let refused = |refusal: Refusal| Error::usage(refusal.what, refusal.remedy);
+    generator.check().map_err(refused)?;
+    let triangles = generator.triangle_count();
+    MemoryLimit::of_machine()
+        .check(generator.bytes())
+        .map_err(|shortage| shortage.of(format!("{triangles} triangles")))?;
+    Ok(generator.build())
 }

@@ -46,8 +46,12 @@ impl Generator for Plane {
         Grid::open(self.cells, self.cells).triangle_count()
     }
 
+    fn vertex_count(&self) -> u64 {
+        Grid::open(self.cells, self.cells).vertex_count()
+    }
+
     fn build(&self) -> Mesh {
-        let mut mesh = named("plane");
+        let mut mesh = named("plane", self);
         let [width, depth] = self.size;
         Grid::open(self.cells, self.cells).add_to(&mut mesh, |u, v| Vertex {
             position: Vec3::new(width * (u as f32 - 0.5), 0.0, depth * (0.5 - v as f32)).as_dvec3(),

@@ -97,6 +97,10 @@ impl Generator for Quads {
         2 * u64::from(self.count)
     }
 
+    fn vertex_count(&self) -> u64 {
+        4 * u64::from(self.count)
+    }
+
     fn has_colors(&self) -> bool {
         true
     }

@@ -65,13 +65,19 @@ impl Generator for Slices {
             .saturating_mul(u64::from(self.count))
     }
 
+    fn vertex_count(&self) -> u64 {
+        Grid::open(self.cells, self.cells)
+            .vertex_count()
+            .saturating_mul(u64::from(self.count))
+    }
+
     fn has_colors(&self) -> bool {
         true
     }
 
     fn build(&self) -> Mesh {
         let depths: Vec<f32> = (0..self.count).map(|i| self.depth(i)).collect();
-        let mut mesh = named("slices");
+        let mut mesh = named("slices", self);
         for i in self.order.of(&depths, self.seed) {
             let z = 1.0 - 2.0 * f64::from(depths[i]);
             Grid::open(self.cells, self.cells).add_to(&mut mesh, |u, v| {

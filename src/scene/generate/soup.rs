@@ -67,14 +67,18 @@ impl Generator for Soup {
         u64::from(self.count)
     }
 
+    fn vertex_count(&self) -> u64 {
+        3 * u64::from(self.count)
+    }
+
     fn has_colors(&self) -> bool {
         true
     }
 
     fn build(&self) -> Mesh {
         let mut chance = Chance::new(self.seed);
-        let vertices = (0..self.count).flat_map(|_| self.triangle(&mut chance));
-        let vertices = vertices.collect();
+        let mut vertices = Vec::with_capacity(3 * self.count as usize);
+        vertices.extend((0..self.count).flat_map(|_| self.triangle(&mut chance)));
         let triangles = (0..self.count).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]);
         Mesh::new("soup", vertices, triangles.collect())
     }

@@ -59,8 +59,13 @@ impl Generator for Streamlines {
         u64::from(self.seeds.count) * tube::triangles_of(rings, u64::from(self.sides))
     }
 
+    fn vertex_count(&self) -> u64 {
+        let rings = u64::from(self.steps) + 1;
+        u64::from(self.seeds.count) * tube::vertices_of(rings, u64::from(self.sides))
+    }
+
     fn build(&self) -> Mesh {
-        let mut mesh = named("streamlines");
+        let mut mesh = named("streamlines", self);
         let radius = f64::from(self.tube);
         for seed in self.seeds.points() {
             let line = streamline(&self.seeds.flow, seed, f64::from(self.length), self.steps);

@@ -45,8 +45,14 @@ impl Generator for Teapot {
             .saturating_mul(32)
     }
 
+    fn vertex_count(&self) -> u64 {
+        Grid::open(self.cells, self.cells)
+            .vertex_count()
+            .saturating_mul(32)
+    }
+
     fn build(&self) -> Mesh {
-        let mut mesh = named("teapot");
+        let mut mesh = named("teapot", self);
         for patch in patches() {
             Grid::open(self.cells, self.cells).add_to(&mut mesh, |u, v| vertex(&patch, u, v));
         }

@@ -86,8 +86,12 @@ impl Generator for TorusKnot {
         self.grid().triangle_count()
     }
 
+    fn vertex_count(&self) -> u64 {
+        self.grid().vertex_count()
+    }
+
     fn build(&self) -> Mesh {
-        let mut mesh = named("torus-knot");
+        let mut mesh = named("torus-knot", self);
         self.grid().add_to(&mut mesh, |u, v| {
             let (sin, cos) = (TAU * u).sin_cos();
             let frame = self.frame(TAU * v);

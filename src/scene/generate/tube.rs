@@ -17,6 +17,11 @@ pub(super) fn triangles_of(rings: u64, sides: u64) -> u64 {
     2 * sides * rings.max(1)
 }
 
+/// How many vertices it has: its rings', and one more at each end.
+pub(super) fn vertices_of(rings: u64, sides: u64) -> u64 {
+    sides * rings + 2
+}
+
 /// Adds a tube through two rings or more, closed by fans to a point before the first one and one after the last one. Every
 /// edge belongs to two triangles, counter-clockwise seen from outside.
 pub(super) fn add(mesh: &mut Mesh, rings: &[Ring], [start, end]: [DVec3; 2], sides: u32) {

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use super::check::Checked;
 use super::words::{self, Line};
 use crate::error::Result;
+use crate::memory::MemoryLimit;
 use crate::scene::source;
 
 /// All materials of a model, in one MTL text of `newmtl`, `Kd`, `Ka`, `d` and `Tr`.
@@ -19,7 +20,12 @@ pub(super) struct Materials {
 
 impl Materials {
     /// Reads the material files of a model. What is missing is said in a notice.
-    pub(super) fn load(path: &Path, model: &Checked, notices: &mut Vec<String>) -> Result<Self> {
+    pub(super) fn load(
+        path: &Path,
+        model: &Checked,
+        notices: &mut Vec<String>,
+        memory: &MemoryLimit,
+    ) -> Result<Self> {
         let mut materials = Self::default();
         let folder = path.parent().unwrap_or(Path::new(""));
         let mut seen = BTreeSet::new();
@@ -32,7 +38,7 @@ impl Materials {
                         library.display()
                     ));
                 } else if seen.insert(library.clone()) {
-                    materials.read(&library)?;
+                    materials.read(&library, memory)?;
                 }
             }
         }
@@ -61,8 +67,8 @@ impl Materials {
         ))
     }
 
-    fn read(&mut self, path: &Path) -> Result<()> {
-        let bytes = source::read(path)?;
+    fn read(&mut self, path: &Path, memory: &MemoryLimit) -> Result<()> {
+        let bytes = source::read(path, memory)?;
         let mut textured = false;
         let mut named = false;
         for (number, line) in words::lines(&bytes) {

@@ -18,6 +18,7 @@ use std::path::Path;
 use super::mesh::Mesh;
 use super::source;
 use crate::error::{Error, Place, Result};
+use crate::memory::MemoryLimit;
 use materials::Materials;
 
 /// What a scene file says about a model's looks; it comes before the materials and after vertex colours.
@@ -36,12 +37,12 @@ pub(super) struct Model {
 }
 
 /// Reads a model.
-pub(super) fn load(path: &Path, paint: &Paint) -> Result<Model> {
-    let bytes = source::read(path)?;
+pub(super) fn load(path: &Path, paint: &Paint, memory: &MemoryLimit) -> Result<Model> {
+    let bytes = source::read(path, memory)?;
     let checked = check::check(path, &bytes)?;
     drop(bytes);
     let mut notices = checked.skipped.notices(path);
-    let materials = Materials::load(path, &checked, &mut notices)?;
+    let materials = Materials::load(path, &checked, &mut notices, memory)?;
     let (models, list) = read(path, &checked.text, &materials)?;
     let mut meshes = assemble::meshes(models, &list, paint);
     let degenerate: usize = meshes.iter_mut().map(Mesh::drop_degenerate).sum();

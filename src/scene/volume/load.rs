@@ -8,6 +8,7 @@ use super::check::{self, Fault};
 use super::samples::{Endian, SampleType};
 use super::{Volume, nifti, nrrd, vti};
 use crate::error::{Error, Place, Result};
+use crate::memory::MemoryLimit;
 use crate::scene::{source, stem};
 
 /// A volume, and what was assumed or left out while reading it, a sentence each.
@@ -22,16 +23,16 @@ pub(super) const ENDINGS: &str = ".nrrd, .nhdr, .nii, .nii.gz, .vti";
 
 /// Reads a volume. Nothing is allocated that the file's own size does not account for: what a header promises is held
 /// against the bytes that are there first.
-pub(in crate::scene) fn load(path: &Path) -> Result<Loaded> {
+pub(in crate::scene) fn load(path: &Path, memory: &MemoryLimit) -> Result<Loaded> {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let name = name.to_ascii_lowercase();
     let ends = |ending: &str| name.ends_with(ending);
     if ends(".nrrd") || ends(".nhdr") {
-        nrrd::read(path, &source::read_bytes(path)?)
+        nrrd::read(path, &source::read_bytes(path, memory)?, memory)
     } else if ends(".nii") || ends(".nii.gz") {
-        nifti::read(path, &source::read_bytes(path)?)
+        nifti::read(path, &source::read_bytes(path, memory)?)
     } else if ends(".vti") {
-        vti::read(path, &source::read_bytes(path)?)
+        vti::read(path, &source::read_bytes(path, memory)?)
     } else {
         Err(Error::input(
             Place::file(path),

@@ -24,6 +24,7 @@ use glam::{DAffine3, DVec3};
 use super::Refusal;
 use super::limits::{LENGTH, count_within, within};
 use crate::error::{Error, Result};
+use crate::memory::MemoryLimit;
 use crate::scene::volume::Volume;
 
 /// The cube that a field fills, and how finely it is sampled.
@@ -62,10 +63,17 @@ pub(in crate::scene) trait Field {
     fn value(&self, point: DVec3) -> f64;
 }
 
-/// The sampled field, if its parameters are in their ranges.
-pub(in crate::scene) fn sampled(field: &dyn Field) -> Result<Volume, Refusal> {
+/// How much memory a field's samples take, in bytes, if its parameters are in their ranges.
+pub(in crate::scene) fn bytes(field: &dyn Field) -> Result<u64, Refusal> {
     field.lattice().check()?;
     field.check()?;
+    let samples = u64::from(field.lattice().samples).pow(3);
+    Ok(samples * size_of::<f32>() as u64)
+}
+
+/// The sampled field, if its parameters are in their ranges.
+pub(in crate::scene) fn sampled(field: &dyn Field) -> Result<Volume, Refusal> {
+    let room = bytes(field)? as usize / size_of::<f32>();
     let Lattice { size, samples } = field.lattice();
     let spacing = f64::from(size) / f64::from(samples - 1);
     let first = DVec3::splat(-f64::from(size) / 2.0);
@@ -74,17 +82,23 @@ pub(in crate::scene) fn sampled(field: &dyn Field) -> Result<Volume, Refusal> {
         translation: first,
     };
     let along = |i: u32| f64::from(i) * spacing;
-    let values = (0..samples)
-        .flat_map(|z| (0..samples).flat_map(move |y| (0..samples).map(move |x| [x, y, z])))
-        .map(|index| field.value(first + DVec3::from_array(index.map(along))) as f32)
-        .collect();
+    let mut values = Vec::with_capacity(room);
+    values.extend(
+        (0..samples)
+            .flat_map(|z| (0..samples).flat_map(move |y| (0..samples).map(move |x| [x, y, z])))
+            .map(|index| field.value(first + DVec3::from_array(index.map(along))) as f32),
+    );
     let dims = [samples as usize; 3];
     Ok(Volume::new(field.name(), dims, values, index_to_world)
         .expect("a field in its ranges has finite values"))
 }
 
 fn checked(field: &dyn Field) -> Result<Volume> {
-    sampled(field).map_err(|refusal| Error::usage(refusal.what, refusal.remedy))
+    let refused = |refusal: Refusal| Error::usage(refusal.what, refusal.remedy);
+    MemoryLimit::of_machine()
+        .check(bytes(field).map_err(refused)?)
+        .map_err(|shortage| shortage.of("the samples"))?;
+    sampled(field).map_err(refused)
 }
 
 /// Stored values: finite, and far from where f32 ends.

@@ -14,10 +14,11 @@ use super::gzip;
 use super::load::{Layout, Loaded, finish};
 use super::samples::{Endian, SampleType};
 use crate::error::Result;
+use crate::memory::MemoryLimit;
 use crate::scene::source;
 use header::Header;
 
-pub(super) fn read(path: &Path, bytes: &[u8]) -> Result<Loaded> {
+pub(super) fn read(path: &Path, bytes: &[u8], memory: &MemoryLimit) -> Result<Loaded> {
     let header = Header::parse(path, bytes)?;
     let layout = layout(&header)?;
     let samples = match header.optional("data file") {
@@ -29,7 +30,8 @@ pub(super) fn read(path: &Path, bytes: &[u8]) -> Result<Loaded> {
                 return Err(header.wrong("data file", what, "Join them into one file."));
             }
             let folder = path.parent().unwrap_or(Path::new(""));
-            unpack(&header, &layout, &source::read_bytes(&folder.join(name))?)?
+            let data = source::read_bytes(&folder.join(name), memory)?;
+            unpack(&header, &layout, &data)?
         }
     };
     let samples = layout.stored.convert(&samples, layout.endian);

@@ -1,0 +1,36 @@
+//! Reading the command line.
+
+use std::ffi::OsString;
+use std::process::ExitCode;
+
+use clap::Parser;
+use onionskin::error::printable;
+
+use super::output::complain;
+
+/// What is asked for; or, if that is help, or wrong, the exit code after having said so.
+pub(super) fn parse<T: Parser>() -> Result<T, ExitCode> {
+    let arguments: Vec<OsString> = std::env::args_os().collect();
+    T::try_parse_from(&arguments).map_err(|error| {
+        if error.use_stderr() {
+            complain(message(&error, &arguments).trim_end());
+            return ExitCode::from(2);
+        }
+        // Help has nothing of the arguments. Whoever reads it may stop before the end.
+        let _ = error.print();
+        ExitCode::SUCCESS
+    })
+}
+
+/// The message without colours, whose sequences could not be told from those of the arguments.
+fn message(error: &clap::Error, arguments: &[OsString]) -> String {
+    let text = error.render().to_string();
+    // A line end within an argument is not one of the message.
+    let words = arguments.iter().map(|argument| argument.to_string_lossy());
+    let words = words.filter(|word| word.contains(char::is_control));
+    words.fold(text, |text, word| {
+        let value = word.split_once('=').map_or(&*word, |(_, value)| value);
+        let text = text.replace(&*word, &printable(&word));
+        text.replace(value, &printable(value))
+    })
+}

@@ -1,0 +1,115 @@
+//! Reading picture files, which are other people's.
+//!
+//! A file's header says how large the picture is, and a small file may say that it is enormous: so the header is read
+//! first, and what the picture takes is held against what there is before anything is decoded.
+
+use std::fs::File;
+use std::io::BufReader;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::Path;
+
+use image::{DynamicImage, ImageFormat, ImageReader, ImageResult, Limits};
+
+use super::{FileKind, Image};
+use crate::error::{Error, Place, Result, with_slashes};
+use crate::fragment::Rgba;
+use crate::memory::MemoryLimit;
+
+/// The largest file that is read: 2 GiB, more than any driver's largest image takes on the disk.
+const MAX_BYTES: u64 = 2 << 30;
+
+/// Bytes of memory for each pixel: as the file has it, at most four floats, the same as floats, and as pixels.
+const BYTES_PER_PIXEL: u64 = 3 * 16;
+
+impl Image {
+    /// Reads a `.png` or `.exr`. 8-bit values are taken as linear.
+    ///
+    /// # Errors
+    /// If the file is not there, is not what its name says, or is larger than the machine's memory.
+    pub fn load(path: impl AsRef<Path>) -> Result<Self> {
+        Self::load_within(path, &MemoryLimit::of_machine())
+    }
+
+    /// Reads the same, with no more memory than may be taken.
+    ///
+    /// # Errors
+    /// As [`Image::load`].
+    pub fn load_within(path: impl AsRef<Path>, memory: &MemoryLimit) -> Result<Self> {
+        let path = path.as_ref();
+        let format = format_of(path)?;
+        let [width, height] = Self::size_of_file(path)?;
+        let bytes = (u64::from(width) * u64::from(height)).saturating_mul(BYTES_PER_PIXEL);
+        memory
+            .check(bytes)
+            .map_err(|short| short.at(Place::file(path), format!("{width} x {height} pixels")))?;
+        let decode = || {
+            let mut reader = ImageReader::with_format(open(path)?, format);
+            let mut limits = Limits::default();
+            limits.max_image_width = Some(width);
+            limits.max_image_height = Some(height);
+            limits.max_alloc = Some(bytes);
+            reader.limits(limits);
+            decoded(path, || reader.decode())
+        };
+        Ok(of_floats(decode()?))
+    }
+
+    /// Width and height as the header of a `.png` or `.exr` says them. Nothing is decoded.
+    ///
+    /// # Errors
+    /// If the file is not there or is not what its name says.
+    pub fn size_of_file(path: impl AsRef<Path>) -> Result<[u32; 2]> {
+        let path = path.as_ref();
+        let reader = ImageReader::with_format(open(path)?, format_of(path)?);
+        let (width, height) = decoded(path, || reader.into_dimensions())?;
+        if width == 0 || height == 0 {
+            return Err(wrong(path, format!("it has {width} x {height} pixels")));
+        }
+        Ok([width, height])
+    }
+}
+
+fn format_of(path: &Path) -> Result<ImageFormat> {
+    Ok(match FileKind::of(path)? {
+        FileKind::Png => ImageFormat::Png,
+        FileKind::Exr => ImageFormat::OpenExr,
+    })
+}
+
+/// A file, and neither a folder nor what blocks or never ends.
+fn open(path: &Path) -> Result<BufReader<File>> {
+    let unreadable = |error: std::io::Error| match with_slashes(path) {
+        Some(remedy) => Error::input(Place::file(path), "there is no such file", remedy),
+        None => wrong(path, format!("cannot read it: {error}")),
+    };
+    let there = std::fs::metadata(path).map_err(unreadable)?;
+    if !there.is_file() || there.len() > MAX_BYTES {
+        let what = format!("this is no file of at most {MAX_BYTES} bytes");
+        return Err(wrong(path, what));
+    }
+    Ok(BufReader::new(File::open(path).map_err(unreadable)?))
+}
+
+/// What a decoder makes of the file. A decoder that panics over damaged bytes has refused them, too.
+fn decoded<T>(path: &Path, decode: impl FnOnce() -> ImageResult<T>) -> Result<T> {
+    match catch_unwind(AssertUnwindSafe(decode)) {
+        Ok(Ok(picture)) => Ok(picture),
+        Ok(Err(error)) => Err(wrong(path, format!("cannot decode it: {error}"))),
+        Err(_) => Err(wrong(path, "cannot decode it: it is damaged".into())),
+    }
+}
+
+fn wrong(path: &Path, what: String) -> Error {
+    let remedy = "give a PNG, or an EXR with the channels R, G, B and, if it has one, A";
+    Error::input(Place::file(path), what, remedy)
+}
+
+fn of_floats(picture: DynamicImage) -> Image {
+    let picture = picture.into_rgba32f();
+    let (width, height) = picture.dimensions();
+    Image {
+        width,
+        height,
+        pixels: picture.pixels().map(|pixel| Rgba::from(pixel.0)).collect(),
+    }
+}

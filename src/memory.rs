@@ -1,0 +1,238 @@
+//! How much memory may be taken. It is asked before memory is taken, so that what is too large is refused with words
+//! and not killed without any.
+
+use std::fmt;
+use std::str::FromStr;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use crate::error::{Error, Place};
+
+/// A limit, and how much of it is taken. Copies share what is taken.
+///
+/// ```
+/// use onionskin::MemoryLimit;
+///
+/// let memory: MemoryLimit = "2G".parse()?;
+/// memory.take(3 << 29).expect("1.5 GiB of 2");
+/// assert_eq!(memory.left(), 1 << 29);
+/// assert!(memory.take(1 << 30).is_err());
+/// # Ok::<(), onionskin::Error>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct MemoryLimit {
+    bytes: u64,
+    taken: Arc<AtomicU64>,
+}
+
+/// More was wanted than is left.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Shortage {
+    /// Bytes that were wanted.
+    pub wanted: u64,
+    /// Bytes that are left.
+    pub left: u64,
+}
+
+/// What a machine keeps for the rest of the program, and for all others: an eighth of what is available.
+const RESERVE: u64 = 8;
+
+const REMEDY: &str = "Ask for less, or allow more memory with --max-memory.";
+
+impl Default for MemoryLimit {
+    fn default() -> Self {
+        Self::of_machine()
+    }
+}
+
+impl MemoryLimit {
+    /// So many bytes.
+    pub fn of(bytes: u64) -> Self {
+        Self {
+            bytes,
+            taken: Arc::default(),
+        }
+    }
+
+    /// Seven eighths of what is available now: of the machine's memory, within the limits of the control group
+    /// (container) that the process runs in. Where the system does not say, there is no limit.
+    pub fn of_machine() -> Self {
+        let available = available().unwrap_or(u64::MAX);
+        Self::of(available - available / RESERVE)
+    }
+
+    /// Bytes that are left.
+    pub fn left(&self) -> u64 {
+        let taken = self.taken.load(Ordering::Relaxed);
+        self.bytes.saturating_sub(taken)
+    }
+
+    /// Takes so many bytes for good: to be called before they are allocated, for what stays.
+    ///
+    /// # Errors
+    /// Fewer are left. Nothing is taken then.
+    pub fn take(&self, bytes: u64) -> Result<(), Shortage> {
+        self.check(bytes)?;
+        self.taken.fetch_add(bytes, Ordering::Relaxed);
+        Ok(())
+    }
+
+    /// Asks for so many bytes for a while: to be called before they are allocated, for what is freed again soon.
+    ///
+    /// # Errors
+    /// Fewer are left.
+    pub fn check(&self, bytes: u64) -> Result<(), Shortage> {
+        let left = self.left();
+        if bytes <= left {
+            return Ok(());
+        }
+        Err(Shortage {
+            wanted: bytes,
+            left,
+        })
+    }
+}
+
+impl Shortage {
+    /// The error, laid to a place in a file. `what` is in the plural, as in '20 triangles'.
+    pub fn at(self, place: Place, what: impl fmt::Display) -> Error {
+        Error::input(place, self.sentence(what), REMEDY)
+    }
+
+    /// The error, of something that is in no file.
+    pub fn of(self, what: impl fmt::Display) -> Error {
+        Error::usage(self.sentence(what), REMEDY)
+    }
+
+    fn sentence(self, what: impl fmt::Display) -> String {
+        let (wanted, left) = (Bytes(self.wanted), Bytes(self.left));
+        format!("{what} take {wanted} of memory, and no more than {left} may be taken")
+    }
+}
+
+/// A number of bytes as a person says it.
+struct Bytes(u64);
+
+/// From the largest to the smallest that is said.
+const UNITS: [(char, u64); 4] = [
+    ('T', 1 << 40),
+    ('G', 1 << 30),
+    ('M', 1 << 20),
+    ('K', 1 << 10),
+];
+
+impl fmt::Display for Bytes {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match UNITS.iter().find(|(_, size)| self.0 >= *size) {
+            Some((letter, size)) => write!(f, "{:.1} {letter}iB", self.0 as f64 / *size as f64),
+            None => write!(f, "{} bytes", self.0),
+        }
+    }
+}
+
+impl FromStr for MemoryLimit {
+    type Err = Error;
+
+    /// `8G`, `500M`, `1.5GiB`, or a number of bytes. Letters are powers of 1024.
+    fn from_str(text: &str) -> Result<Self, Error> {
+        let wrong = || {
+            Error::usage(
+                format!("'{text}' is not an amount of memory"),
+                "write a number with K, M, G or T, such as 8G or 500M",
+            )
+        };
+        let upper = text.trim().to_ascii_uppercase();
+        let short = upper.strip_suffix("IB").or(upper.strip_suffix('B'));
+        let short = short.unwrap_or(&upper);
+        let of_unit = |(letter, size): &(char, u64)| Some((short.strip_suffix(*letter)?, *size));
+        let (number, unit) = UNITS.iter().find_map(of_unit).unwrap_or((short, 1));
+        let number: f64 = number.trim_end().parse().map_err(|_| wrong())?;
+        let bytes = number * unit as f64;
+        // 2^63, which is more than there is.
+        if !(1.0..9.2e18).contains(&bytes) {
+            return Err(wrong());
+        }
+        Ok(Self::of(bytes as u64))
+    }
+}
+
+/// Bytes that this process may still take before others suffer; nothing where the system does not say.
+fn available() -> Option<u64> {
+    if !sysinfo::IS_SUPPORTED_SYSTEM {
+        return None;
+    }
+    let mut system = sysinfo::System::new();
+    system.refresh_memory();
+    let of_machine = system.available_memory();
+    // What a group counts as used has the files that the system keeps in memory, and gives up when asked.
+    let of_group = system.cgroup_limits();
+    let of_group = of_group.map(|group| group.total_memory.saturating_sub(group.rss));
+    let available = of_group.map_or(of_machine, |group| group.min(of_machine));
+    (available > 0).then_some(available)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn amounts_are_read_as_they_are_written() {
+        for (text, bytes) in [
+            ("8G", 8 << 30),
+            ("8g", 8 << 30),
+            ("500M", 500 << 20),
+            ("500MiB", 500 << 20),
+            ("500 MB", 500 << 20),
+            ("1.5K", 1536),
+            ("2T", 2 << 40),
+            ("12345", 12345),
+            ("12345B", 12345),
+        ] {
+            assert_eq!(text.parse::<MemoryLimit>().unwrap().left(), bytes, "{text}");
+        }
+    }
+
+    #[test]
+    fn what_is_no_amount_is_refused() {
+        for text in [
+            "", "G", "-1G", "nan", "inf", "0", "0G", "1Q", "1GG", "1e99", "8 000M", "0x10",
+        ] {
+            let error = text.parse::<MemoryLimit>().unwrap_err().to_string();
+            assert!(error.contains("such as 8G"), "{text}: {error}");
+        }
+    }
+
+    #[test]
+    fn copies_share_what_is_taken_and_a_refusal_takes_nothing() {
+        let memory = MemoryLimit::of(100);
+        let copy = memory.clone();
+        memory.take(60).unwrap();
+        copy.check(40).unwrap();
+        assert_eq!(
+            copy.take(41),
+            Err(Shortage {
+                wanted: 41,
+                left: 40
+            })
+        );
+        copy.take(40).unwrap();
+        assert_eq!(memory.left(), 0);
+        assert!(memory.take(u64::MAX).is_err());
+    }
+
+    #[test]
+    fn the_machine_has_some() {
+        let left = MemoryLimit::of_machine().left();
+        assert!(left > 1 << 20, "{left}");
+    }
+
+    #[test]
+    fn a_shortage_says_how_much_is_wanted_and_how_much_there_is() {
+        let memory = MemoryLimit::of(3 << 29);
+        let error = memory.take(3 << 30).unwrap_err().of("20 triangles");
+        let text = error.to_string();
+        assert!(text.contains("20 triangles take 3.0 GiB"), "{text}");
+        assert!(text.contains("1.5 GiB"), "{text}");
+        assert!(text.contains("--max-memory"), "{text}");
+    }
+}

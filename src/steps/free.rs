@@ -1,0 +1,135 @@
+//! Which variables a listing reads and never sets: they must be given to it.
+
+use std::collections::BTreeSet;
+
+use super::amend::Amendment;
+use super::call::{Call, Index, Map};
+use super::classic::ClassicCall;
+use super::expr::{Condition, Expr};
+use super::listing::{Listing, Step};
+
+/// The names of the variables that a listing or one of its amendments reads and that nothing in it sets, in alphabetical
+/// order. What it reads only where an amendment stands instead is among them.
+pub fn free_variables(listing: &Listing, amendments: &[Amendment]) -> Vec<&'static str> {
+    let mut found = Found::default();
+    found.steps(listing.steps);
+    found.amendments(amendments);
+    found.read.difference(&found.set).copied().collect()
+}
+
+#[derive(Default)]
+struct Found {
+    read: BTreeSet<&'static str>,
+    set: BTreeSet<&'static str>,
+}
+
+impl Found {
+    fn amendments(&mut self, amendments: &[Amendment]) {
+        amendments.iter().for_each(|it| self.steps(it.amended));
+    }
+
+    fn steps(&mut self, steps: &[Step]) {
+        steps.iter().for_each(|step| self.step(step));
+    }
+
+    fn step(&mut self, step: &Step) {
+        match step {
+            Step::Call(call) => self.call(call),
+            Step::DepthUnit { body, .. } => self.steps(body),
+            Step::Let { variable, value } => {
+                self.set.insert(variable);
+                self.expr(value);
+            }
+            Step::If {
+                condition,
+                then,
+                otherwise,
+            } => {
+                self.condition(condition);
+                self.steps(then);
+                self.steps(otherwise);
+            }
+            Step::For {
+                variable,
+                from,
+                to,
+                body,
+            } => {
+                self.set.insert(variable);
+                self.expr(from);
+                self.expr(to);
+                self.steps(body);
+            }
+            Step::ForDown {
+                variable,
+                from,
+                body,
+            } => {
+                self.set.insert(variable);
+                self.expr(from);
+                self.steps(body);
+            }
+            Step::Stop { when, .. } => self.condition(when),
+            Step::Run {
+                listing,
+                amendments,
+            } => {
+                self.steps(listing.steps);
+                self.amendments(amendments);
+            }
+        }
+    }
+
+    fn condition(&mut self, condition: &Condition) {
+        self.expr(&condition.left);
+        self.expr(&condition.right);
+    }
+
+    fn expr(&mut self, expr: &Expr) {
+        match expr {
+            Expr::Number(_) | Expr::Samples(_) => {}
+            Expr::Variable(name) => _ = self.read.insert(name),
+            Expr::Sum(a, b)
+            | Expr::Difference(a, b)
+            | Expr::Product(a, b)
+            | Expr::Remainder(a, b) => {
+                self.expr(a);
+                self.expr(b);
+            }
+        }
+    }
+
+    /// The same calls as [`run`](super::run) resolves.
+    fn call(&mut self, call: &Call) {
+        match call {
+            Call::BindDepthBuffer { buffer: map }
+            | Call::BindTexture { texture: map }
+            | Call::BindImage { texture: map, .. }
+            | Call::AttachColor { texture: map }
+            | Call::AttachDepth { texture: map }
+            | Call::Classic(ClassicCall::BindTexture { texture: map, .. }) => self.map(*map),
+            Call::UseProgramOfSize { size: index, .. }
+            | Call::StencilReference {
+                reference: index, ..
+            } => self.index(*index),
+            Call::CopyImage { from, to }
+            | Call::Swap { a: from, b: to }
+            | Call::Classic(ClassicCall::CopyToRectangle { from, to }) => {
+                self.map(*from);
+                self.map(*to);
+            }
+            Call::Uniform { name, .. } => _ = self.read.insert(name),
+            _ => {}
+        }
+    }
+
+    fn map(&mut self, map: Map) {
+        self.index(map.index);
+    }
+
+    fn index(&mut self, index: Index) {
+        if let Index::Variable(name) = index {
+            self.read.insert(name);
+        }
+    }
+}
