@@ -9,6 +9,7 @@ mod doctor;
 mod encoding;
 mod frame_folder;
 mod frame_row;
+mod licences;
 mod listing;
 mod method_options;
 mod methods;
@@ -58,6 +59,7 @@ enum Command {
     Listing(listing::Listing),
     Methods(methods::Methods),
     Doctor(doctor::Doctor),
+    Licences(licences::Licences),
 }
 
 /// Runs the command line.
@@ -72,6 +74,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Listing(listing) => listing.run(),
         Command::Methods(methods) => methods.run(),
         Command::Doctor(doctor) => doctor.run(),
+        Command::Licences(licences) => licences.run(),
     };
     done.unwrap_or_else(|error| {
         eprintln!("onionskin: {error}");
