@@ -16,10 +16,14 @@ use proptest::test_runner::{TestCaseError, TestError};
 #[path = "common/a_buffer.rs"]
 #[allow(dead_code)]
 mod a_buffer;
+#[path = "common/fog_scenes.rs"]
+#[allow(dead_code)]
+mod fog_scenes;
 #[path = "common/stack.rs"]
 #[allow(dead_code)]
 mod stack;
 use a_buffer::{F16, F32, MANAGERS, small};
+use fog_scenes::fog_and_pane;
 use stack::{Piece, Stack, fragments, runner, scattered, stacks};
 
 /// Twelve fragments, four to a channel, each a fourth as bright as the one before it: bits two places apart.
@@ -334,6 +338,41 @@ fn what_is_kept_decides_how_wrong_the_image_is() {
                 let expected = keeps_the_nearest.contains(&options.manager);
                 assert_eq!((small, large), (expected, !expected), "{options:?}");
             }
+        }
+    }
+}
+
+/// The eye in the fog, a pane that hides all but a millionth before its far face, and room for the pane alone. That the fog
+/// is left, and so that the ray begins in it, says the face that is dropped; the first of the list do not say it, or are
+/// that face without the pane.
+#[test]
+fn a_ray_begins_in_a_volume_whose_face_is_dropped_as_too_far() {
+    let context = Context::headless().unwrap();
+    let scene = fog_and_pane(0.75, -0.4, 0.999_999, 0.3);
+    let mut renderer = Renderer::new(&context, scene.size[0], scene.size[1]).unwrap();
+    let exact = renderer.render(&scene, &Method::Exact).unwrap().image;
+    for manager in MANAGERS {
+        for sort in [Sort::Network, Sort::Insertion] {
+            let options = ABufferOptions {
+                array: 1,
+                keep: Keep::Nearest,
+                color: RecordColor::Float,
+                sort,
+                ..small(manager)
+            };
+            let frame = renderer.render(&scene, &Method::ABuffer(options)).unwrap();
+            let error = Comparison::new(&frame.image, &exact, F32).unwrap();
+            assert_eq!(error.over, 0, "{options:?}: {error:?}");
+            let pixels = u64::from(scene.size[0] * scene.size[1]);
+            assert_eq!(frame.stats.lost, Some(pixels), "the far face's fragments");
+            let first = ABufferOptions {
+                keep: Keep::First,
+                ..options
+            };
+            let frame = renderer.render(&scene, &Method::ABuffer(first)).unwrap();
+            let error = Comparison::new(&frame.image, &exact, F32).unwrap();
+            assert_eq!(error.over as u64, pixels, "{first:?}: {error:?}");
+            assert_eq!(frame.stats.lost, Some(pixels));
         }
     }
 }
