@@ -14,7 +14,7 @@ EXAMPLES := $(basename $(notdir $(sort $(wildcard examples/*.rs))))
 # output and let a check begin before the set-up has ended.
 .NOTPARALLEL:
 .DEFAULT_GOAL := help
-.PHONY: help demo test setup check lint unit gl-osmesa docs examples bench clean
+.PHONY: help demo test setup check lint unit gl-osmesa docs examples package deny bench clean
 
 help: ## Show this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-8s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
@@ -73,6 +73,12 @@ examples:
 	    echo "example $$name"; \
 	    $(CARGO) run --quiet --locked --example "$$name" -- out/examples; \
 	done
+
+package: setup-checks ## Build the crate as it is published, then demo, examples and tests from its archive alone
+	.ci/package
+
+deny: ## Check the dependencies' licences, sources and advisories, where cargo-deny is installed
+	@.ci/deny
 
 bench: setup ## Run the benchmarks
 	$(CARGO) bench --locked

@@ -11,7 +11,7 @@ mod golden;
 use cli_kit::{Answer, Desk};
 use golden::assert_golden;
 
-const SUBCOMMANDS: [&str; 8] = [
+const SUBCOMMANDS: [&str; 9] = [
     "render",
     "compare",
     "check",
@@ -20,6 +20,7 @@ const SUBCOMMANDS: [&str; 8] = [
     "listing",
     "methods",
     "doctor",
+    "licences",
 ];
 
 fn result(arguments: &[&str]) -> String {
@@ -259,14 +260,66 @@ fn the_methods_as_json_are_one_object_each_with_what_the_registry_says() {
     assert_eq!(objects.len(), registry().len());
     for (object, entry) in objects.iter().zip(registry()) {
         let keys: Vec<_> = object.keys().map(String::as_str).collect();
-        assert_eq!(keys, ["exact", "memory", "name", "needs", "source", "ties"]);
+        let expected = [
+            "exact",
+            "exact_volumes",
+            "exactness",
+            "keeps",
+            "memory",
+            "name",
+            "needs",
+            "source",
+            "ties",
+        ];
+        assert_eq!(keys, expected);
         assert_eq!(object["name"], entry.name);
         assert_eq!(object["source"], entry.source);
         assert_eq!(object["exact"], entry.exact);
+        assert_eq!(
+            object["exact_volumes"],
+            serde_json::json!(entry.exact_volumes)
+        );
+        assert_eq!(object["exactness"], entry.exactness);
+        assert_eq!(object["keeps"], serde_json::json!(entry.keeps));
         assert_eq!(object["ties"], entry.ties);
         assert_eq!(object["memory"], entry.memory);
         assert_eq!(object["needs"], serde_json::json!(entry.needs));
     }
+}
+
+/// Carr et al.'s methods draw volumes as slices, and of slices no method's image is exact.
+#[test]
+fn the_registry_calls_volumes_exact_only_where_rays_are_cast() {
+    for entry in registry() {
+        let method = entry.method;
+        let exact = method.casts_rays();
+        let rendered = exact || method.takes_slices();
+        let expected = rendered.then_some(exact);
+        assert_eq!(entry.exact_volumes, expected, "{}", entry.name);
+        let says_no = entry.exactness.contains("volumes as slices: no");
+        assert_eq!(says_no, entry.exact && expected == Some(false));
+        assert_eq!(entry.exactness.starts_with("yes"), entry.exact);
+    }
+}
+
+/// The embedded font's licence asks for its text and the copyright notice in every copy. The notice is held against the
+/// font's own name table, so that another font cannot come without its own.
+#[test]
+fn the_licences_are_printed_and_the_font_s_is_that_of_the_embedded_font() {
+    let text = result(&["licences"]);
+    assert!(text.contains("MIT License"), "{text}");
+    assert!(text.contains("UBUNTU FONT LICENCE Version 1.0") && text.contains("TERMINATION"));
+    let notice = text
+        .lines()
+        .find(|line| line.contains("Canonical"))
+        .expect("the font's copyright notice");
+    let in_the_font: Vec<u8> = notice.encode_utf16().flat_map(u16::to_be_bytes).collect();
+    let holds = |font: &[u8]| {
+        font.windows(in_the_font.len())
+            .any(|part| part == in_the_font)
+    };
+    assert!(holds(epaint_default_fonts::UBUNTU_LIGHT), "{notice}");
+    assert!(!holds(epaint_default_fonts::HACK_REGULAR));
 }
 
 #[test]

@@ -102,7 +102,11 @@ fn every_amendment_is_found_in_its_algorithm_once() {
         (&PP_DP, &PP_DP_AMENDMENTS[..]),
         (&PP_DP, &N_MINUS_1),
         (&PP_DP, &TEXT),
-        (&PP_AO, &[PP_AO_AMENDMENT, PP_AO_WITHOUT_PP_DP]),
+        (&STATIC_ARRAY, &[KEEP_NEAREST]),
+        (
+            &PP_AO,
+            &[PP_AO_AMENDMENT, PP_AO_WITHOUT_PP_DP, PP_AO_KEEPING_NEAREST],
+        ),
         (&PP_AO, &by_stencil),
     ] {
         for amendment in amendments {
@@ -295,6 +299,37 @@ fn l09_without_pp_dp_the_last_segment_drops_what_overflows_it() {
         let kept = &list[..list.len().min(16)];
         assert_eq!(pixel.composited, sorted(kept));
         assert_eq!(pixel.times, 1);
+    }
+}
+
+/// A static array of every size, and every list of up to four fragments on three depths in every order in memory: it keeps
+/// the first of the list, or the nearest, whatever the order.
+#[test]
+fn l09_a_full_array_keeps_the_first_of_its_list_or_the_nearest() {
+    for depths in small_lists(4) {
+        let submitted = list(&depths);
+        let in_memory = orders(&submitted);
+        for n in 1..=5 {
+            let first = run(&STATIC_ARRAY, &[], &in_memory, n);
+            let nearest = run(&STATIC_ARRAY, &[KEEP_NEAREST], &in_memory, n);
+            let fits = (n as usize).min(depths.len());
+            let the_nearest = &sorted(&submitted)[..fits];
+            for ((list, first), nearest) in in_memory.iter().zip(&first.pixels).zip(&nearest.pixels)
+            {
+                let mut kept: Vec<u32> = list[..fits].iter().map(|f| f.order).collect();
+                kept.sort_by(|&a, &b| {
+                    let depth = |order: u32| submitted[order as usize].depth;
+                    depth(a).total_cmp(&depth(b)).then(a.cmp(&b))
+                });
+                assert_eq!(first.composited, kept, "{list:?} {n}");
+                assert_eq!(nearest.composited, the_nearest, "{list:?} {n}");
+                // The nearest are not known before the whole list has been read.
+                assert_eq!((first.records_read, first.subpasses), (fits as u32, 1));
+                let read = (nearest.records_read, nearest.subpasses);
+                assert_eq!(read, (list.len() as u32, 1));
+                assert_eq!(first.slots, nearest.slots);
+            }
+        }
     }
 }
 

@@ -6,7 +6,7 @@ use std::cell::{Cell, RefCell};
 use onionskin::emulator::{ListRun, run_on_lists};
 use onionskin::fragment::Fragment;
 use onionskin::image::{Comparison, Image};
-use onionskin::methods::{ABufferOptions, Manager, RecordColor};
+use onionskin::methods::{ABufferOptions, Keep, Manager, RecordColor};
 use onionskin::papers::lindholm_2015::components::*;
 use onionskin::steps::Amendment;
 use onionskin::steps::pseudo::Algorithm;
@@ -36,9 +36,9 @@ struct Twins {
 
 impl Twins {
     fn array(&self) -> u32 {
-        match self.options.pp_ao {
-            true => self.options.array,
-            false => self.options.peel,
+        match self.options.pp_dp && !self.options.pp_ao {
+            true => self.options.peel,
+            false => self.options.array,
         }
     }
 
@@ -88,11 +88,23 @@ fn twins() -> Vec<Twins> {
                 add("ppDP as printed", PP_DP, &[STOP], as_printed);
             }
         }
+        let nearest = |options| ABufferOptions {
+            keep: Keep::Nearest,
+            ..options
+        };
+        for array in [1, 4, 8] {
+            let options = ABufferOptions { array, ..options };
+            add("static", STATIC_ARRAY, &[], options);
+            let nearest = nearest(options);
+            add("static, nearest", STATIC_ARRAY, &[KEEP_NEAREST], nearest);
+        }
         let pp_ao = ABufferOptions {
             pp_ao: true,
             ..options
         };
         add("ppAO", PP_AO, &[PP_AO_WITHOUT_PP_DP], pp_ao);
+        let nearest = nearest(pp_ao);
+        add("ppAO, nearest", PP_AO, &[PP_AO_KEEPING_NEAREST], nearest);
         let both = ABufferOptions {
             pp_dp: true,
             ..pp_ao
@@ -231,7 +243,7 @@ fn the_pseudocode_and_the_shaders_resolve_the_same_fragments() {
             twins.array(),
             lost.get()
         );
-        let loses = options.as_printed || (options.pp_ao && !options.pp_dp);
+        let loses = options.as_printed || !options.pp_dp;
         assert_eq!(lost.get() > 0, loses, "{name}");
     }
 }
@@ -260,9 +272,19 @@ fn an_algorithm_that_differs_would_be_noticed() {
             twins.name
         );
         // ppAO's stencil and its text mean the same where there is one segment; its amendment does not.
-        twins.amendments = match twins.options.as_printed && twins.options.pp_ao {
-            true => vec![PP_AO_WITHOUT_PP_DP],
-            false => Vec::new(),
+        let ABufferOptions {
+            pp_ao,
+            pp_dp,
+            keep,
+            as_printed,
+            ..
+        } = twins.options;
+        twins.amendments = match keep {
+            Keep::First if as_printed && pp_ao => vec![PP_AO_WITHOUT_PP_DP],
+            // What the array keeps is then not what the shader keeps.
+            Keep::First if !pp_ao && !pp_dp => vec![KEEP_NEAREST],
+            Keep::Nearest if pp_ao => vec![PP_AO_WITHOUT_PP_DP],
+            _ => Vec::new(),
         };
         let other = difference(&mut renderer, &twins, &stack);
         assert!(other.is_err(), "{}", twins.name);

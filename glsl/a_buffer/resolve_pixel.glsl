@@ -27,10 +27,10 @@ void resolve_pixel(uint count) {
     if (count > fits) {
         resolve_by_peeling(count);
     } else {
-        resolve_statically(count);
+        resolve_statically(count, fits);
     }
 #else
-    resolve_statically(fits);
+    resolve_statically(count, fits);
 #endif
 #if VOLUMES
     cast_ray(1.0);

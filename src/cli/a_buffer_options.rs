@@ -1,7 +1,7 @@
 //! Arguments that choose what can be chosen about an A-buffer.
 
 use clap::{Args, ValueEnum};
-use onionskin::methods::{ABufferOptions, Fill, RecordColor, Sort};
+use onionskin::methods::{ABufferOptions, Fill, Keep, RecordColor, Sort};
 use onionskin::{Method, Result};
 
 const A_BUFFERS: &str = "Options of ffb, dfb and ppll";
@@ -13,6 +13,10 @@ pub(super) struct ABufferArguments {
     /// counted [default: 64]
     #[arg(long, value_name = "N", help_heading = A_BUFFERS)]
     array: Option<u32>,
+    /// Which fragments a local array keeps that has no room for all, where nothing peels the rest [default: first, as the
+    /// paper leaves it]
+    #[arg(long, value_enum, help_heading = A_BUFFERS)]
+    keep: Option<KeepArgument>,
     /// How many fragments ppDP peels at a time, 1 to 64 [default: 8]
     #[arg(long, value_name = "N", help_heading = A_BUFFERS)]
     peel: Option<u32>,
@@ -32,6 +36,14 @@ pub(super) struct ABufferArguments {
     /// How fragment records keep colours [default: half]
     #[arg(long, value_enum, help_heading = A_BUFFERS)]
     record_color: Option<RecordColorArgument>,
+}
+
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+enum KeepArgument {
+    /// The first of the list: with ffb and dfb those submitted first, with ppll those submitted last
+    First,
+    /// The nearest; the image is then that of the nearest N
+    Nearest,
 }
 
 #[derive(Clone, Copy, PartialEq, ValueEnum)]
@@ -62,6 +74,7 @@ impl ABufferArguments {
     /// Whether any is.
     pub(super) fn are_given(&self) -> bool {
         self.array.is_some()
+            || self.keep.is_some()
             || self.peel.is_some()
             || self.termination.is_some()
             || self.budget.is_some()
@@ -77,6 +90,11 @@ impl ABufferArguments {
     pub(super) fn method(&self, defaults: ABufferOptions, as_printed: bool) -> Result<Method> {
         let options = ABufferOptions {
             array: self.array.unwrap_or(defaults.array),
+            keep: match self.keep {
+                None => defaults.keep,
+                Some(KeepArgument::First) => Keep::First,
+                Some(KeepArgument::Nearest) => Keep::Nearest,
+            },
             peel: self.peel.unwrap_or(defaults.peel),
             termination: self.termination.unwrap_or(defaults.termination),
             budget: self.budget.map(|mib| mib.saturating_mul(1 << 20)),

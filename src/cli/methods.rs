@@ -12,8 +12,10 @@ use super::output::{print_json, say};
 
 /// List the methods: where they are published, whether they are exact, what they need
 ///
-/// A method is exact if its image is, when nothing stops it early. Fragments of equal depth are ties: some methods keep
-/// only one of them. Memory is what it grows with.
+/// A method is exact if its image is, when nothing stops it early; of volumes, rays take the samples that the exact image
+/// has, and slices do not. Fragments of equal depth are ties: some methods keep only one of them. Memory is what it grows
+/// with. A full array keeps what the column says by default, whatever lies nearer, for the paper leaves it open (Lindholm
+/// et al. 2015, section 4); `--keep nearest` keeps the nearest.
 #[derive(Args)]
 pub(super) struct Methods {
     /// Print one JSON object a method and nothing else
@@ -26,6 +28,9 @@ struct Record {
     name: &'static str,
     source: &'static str,
     exact: bool,
+    exact_volumes: Option<bool>,
+    exactness: &'static str,
+    keeps: Option<&'static str>,
     ties: &'static str,
     memory: &'static str,
     needs: &'static [&'static str],
@@ -39,6 +44,7 @@ impl Methods {
             "published",
             "exact",
             "equal depths",
+            "a full array keeps",
             "memory",
             "needs",
         ]);
@@ -48,12 +54,14 @@ impl Methods {
                     name: entry.name,
                     source: entry.source,
                     exact: entry.exact,
+                    exact_volumes: entry.exact_volumes,
+                    exactness: entry.exactness,
+                    keeps: entry.keeps,
                     ties: entry.ties,
                     memory: entry.memory,
                     needs: entry.needs,
                 })?;
             } else {
-                let exact = if entry.exact { "yes" } else { "no" };
                 let needs = if entry.needs.is_empty() {
                     "OpenGL 4.3".into()
                 } else {
@@ -62,8 +70,9 @@ impl Methods {
                 table.add_row([
                     entry.name,
                     entry.source,
-                    exact,
+                    entry.exactness,
                     entry.ties,
+                    entry.keeps.unwrap_or("-"),
                     entry.memory,
                     &needs,
                 ]);

@@ -10,6 +10,7 @@ mod doctor;
 mod encoding;
 mod frame_folder;
 mod frame_row;
+mod licences;
 mod listing;
 mod memory;
 mod method_options;
@@ -61,6 +62,7 @@ enum Command {
     Listing(listing::Listing),
     Methods(methods::Methods),
     Doctor(doctor::Doctor),
+    Licences(licences::Licences),
     /// For the program itself
     #[command(hide = true)]
     Probe(probe::Probe),
@@ -81,6 +83,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Listing(listing) => listing.run(),
         Command::Methods(methods) => methods.run(),
         Command::Doctor(doctor) => doctor.run(),
+        Command::Licences(licences) => licences.run(),
         Command::Probe(probe) => probe.run(),
     };
     done.unwrap_or_else(|error| {

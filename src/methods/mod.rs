@@ -30,8 +30,8 @@ mod stats;
 mod volume_controls;
 
 pub use a_buffer::{
-    ABufferCounts, ABufferOptions, Band, Fill, LARGEST_NETWORK, Manager, RecordColor, Room, Sort,
-    bands,
+    ABufferCounts, ABufferOptions, Band, Fill, Keep, LARGEST_NETWORK, Manager, RecordColor, Room,
+    Sort, bands,
 };
 pub use coherent_layer_peeling::{CoherentOptions, Variant};
 pub use complexity::{Bin, Complexity, CountBy};

@@ -51,8 +51,16 @@ pub struct Entry {
     pub method: Method,
     /// Where it is published.
     pub source: &'static str,
-    /// Whether its image is exact when nothing stops it early, but for the rounding of the colours it keeps.
+    /// Whether its image is exact when nothing stops it early, but for the rounding of the colours it keeps: of surfaces.
     pub exact: bool,
+    /// Whether it is exact of volumes, too: a ray takes the samples that the oracle's takes, while slices have an error of
+    /// order 1 in their distance. None if it renders no volumes.
+    pub exact_volumes: Option<bool>,
+    /// Both in words, with what limits them.
+    pub exactness: &'static str,
+    /// What it keeps of a pixel that has more fragments than its array has room for ([`Keep`](super::Keep)); none if it
+    /// has no array that could be too small.
+    pub keeps: Option<&'static str>,
     /// What becomes of fragments of equal depth.
     pub ties: &'static str,
     /// What its memory grows with.
@@ -82,12 +90,21 @@ const DEPTH_PEELING: DepthPeelingOptions = DepthPeelingOptions {
     amendments: &[],
 };
 
+const EXACT_BUT_NOT_SLICES: &str =
+    "yes; volumes as slices: no, an error of order 1 in the slices' distance";
+const EXACT_BUT_FOR_TIES: &str =
+    "yes, but for ties; volumes as slices: no, an error of order 1 in the slices' distance";
+const EXACT_BY_RAYS: &str = "yes, volumes by rays, too";
+
 const ENTRIES: &[Entry] = &[
     Entry {
         name: "blend",
         method: Method::Blend,
         source: "Everitt 2001, figure 1b",
         exact: false,
+        exact_volumes: None,
+        exactness: "no",
+        keeps: None,
         ties: "order of submission",
         memory: "pixels",
         needs: &[],
@@ -97,6 +114,9 @@ const ENTRIES: &[Entry] = &[
         method: Method::Painter,
         source: "Carr et al. 2008, section 1",
         exact: false,
+        exact_volumes: Some(false),
+        exactness: "no",
+        keeps: None,
         ties: "order of submission",
         memory: "pixels + triangles",
         needs: &[],
@@ -106,6 +126,9 @@ const ENTRIES: &[Entry] = &[
         method: Method::DepthPeeling(DEPTH_PEELING),
         source: "Everitt 2001; VTK",
         exact: true,
+        exact_volumes: Some(false),
+        exactness: EXACT_BUT_FOR_TIES,
+        keeps: None,
         ties: "the first submitted, the others lost and counted",
         memory: "pixels (layers x pixels if they are kept)",
         needs: &[],
@@ -119,6 +142,9 @@ const ENTRIES: &[Entry] = &[
         }),
         source: "Bavoil and Myers 2008; VTK today",
         exact: true,
+        exact_volumes: Some(false),
+        exactness: EXACT_BUT_NOT_SLICES,
+        keeps: None,
         ties: "order of submission",
         memory: "pixels",
         needs: &[],
@@ -130,6 +156,9 @@ const ENTRIES: &[Entry] = &[
         }),
         source: "Vasilakis and Fudos 2013",
         exact: true,
+        exact_volumes: Some(false),
+        exactness: EXACT_BUT_NOT_SLICES,
+        keeps: None,
         ties: "order of submission",
         memory: "pixels",
         needs: &[],
@@ -139,6 +168,9 @@ const ENTRIES: &[Entry] = &[
         method: Method::LayerPeeling(LayerPeelingOptions { as_printed: false }),
         source: "Carr et al. 2008, sections 1 and 8",
         exact: true,
+        exact_volumes: Some(false),
+        exactness: EXACT_BUT_NOT_SLICES,
+        keeps: None,
         ties: "order of submission",
         memory: "pixels",
         needs: &[],
@@ -148,6 +180,9 @@ const ENTRIES: &[Entry] = &[
         method: Method::HybridLayerPeeling(LayerPeelingOptions { as_printed: false }),
         source: "Carr et al. 2008, Algorithm 1",
         exact: true,
+        exact_volumes: Some(false),
+        exactness: EXACT_BUT_NOT_SLICES,
+        keeps: None,
         ties: "unsorted meshes before sorted ones",
         memory: "pixels, triangles",
         needs: &[],
@@ -157,6 +192,9 @@ const ENTRIES: &[Entry] = &[
         method: Method::CoherentLayerPeeling(COHERENT_A),
         source: "Carr et al. 2008, section 5",
         exact: true,
+        exact_volumes: Some(false),
+        exactness: EXACT_BUT_NOT_SLICES,
+        keeps: None,
         ties: "order of submission after sorting",
         memory: "pixels, triangles",
         needs: &[],
@@ -166,6 +204,9 @@ const ENTRIES: &[Entry] = &[
         method: Method::CoherentLayerPeeling(COHERENT_B),
         source: "Carr et al. 2008, section 6",
         exact: true,
+        exact_volumes: Some(false),
+        exactness: EXACT_BUT_NOT_SLICES,
+        keeps: None,
         ties: "order of submission after sorting",
         memory: "pixels, triangles",
         needs: &[],
@@ -180,6 +221,9 @@ const ENTRIES: &[Entry] = &[
         }),
         source: "Carr et al. 2008, Algorithm 2",
         exact: true,
+        exact_volumes: Some(false),
+        exactness: EXACT_BUT_NOT_SLICES,
+        keeps: None,
         ties: "order of submission after sorting",
         memory: "pixels, triangles",
         needs: ideal::NEEDS,
@@ -201,6 +245,9 @@ const ENTRIES: &[Entry] = &[
         method: Method::Exact,
         source: "the oracle",
         exact: true,
+        exact_volumes: Some(true),
+        exactness: EXACT_BY_RAYS,
+        keeps: None,
         ties: "order of submission",
         memory: "fragments, in pieces",
         needs: &[],
@@ -219,6 +266,16 @@ const fn a_buffer(name: &'static str, manager: Manager, pp_ao: bool, pp_dp: bool
         }),
         source: "Lindholm et al. 2015",
         exact: true,
+        exact_volumes: Some(true),
+        exactness: match pp_dp {
+            true => EXACT_BY_RAYS,
+            false => "yes, volumes by rays, too, up to 64 fragments a pixel (--array)",
+        },
+        keeps: match (pp_dp, manager) {
+            (true, _) => None,
+            (false, Manager::Ffb | Manager::Dfb) => Some("the first submitted"),
+            (false, Manager::Ppll) => Some("the last submitted"),
+        },
         ties: "order of submission",
         memory: match manager {
             Manager::Ffb => "pixels x layers, in bands",

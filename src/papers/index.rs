@@ -107,6 +107,11 @@ pub const fn papers() -> &'static [Paper] {
             algorithms: &[],
             list_algorithms: &[
                 (
+                    "section-4",
+                    components::STATIC_ARRAY,
+                    &[components::KEEP_NEAREST],
+                ),
+                (
                     "section-5.1",
                     components::PP_AO,
                     &[components::PP_AO_AMENDMENT],

@@ -46,6 +46,37 @@ pub(super) fn insertion_fits(renderer: &str, complexity: u32) -> bool {
     !is_limited(renderer) || complexity <= INSERTION
 }
 
+/// Whether a static array of `array` elements may keep the nearest of so many fragments by insertion with a loop, which in
+/// the worst order moves all of its elements for each fragment.
+pub(super) fn keeping_by_insertion_fits(renderer: &str, array: u32, complexity: u32) -> bool {
+    let (array, complexity) = (u64::from(array), u64::from(complexity));
+    let moved = complexity.saturating_sub(array) * (array + 1);
+    !is_limited(renderer) || sorting(array) + moved + 2 * array <= ITERATIONS
+}
+
+/// Whether it may keep them at all: the list is walked by a loop, and the largest arrays are sorted by one.
+///
+/// # Errors
+/// If the list is too long.
+pub(super) fn expect_keeping_fits(renderer: &str, array: u32, complexity: u32) -> Result<()> {
+    let iterations = sorting(u64::from(array)) + u64::from(complexity) + 2 * u64::from(array);
+    if !is_limited(renderer) || complexity <= array || iterations <= ITERATIONS {
+        return Ok(());
+    }
+    Err(Error::Driver {
+        what: format!(
+            "the nearest of a pixel's {complexity} fragments are not to be found: this driver ({renderer}) ends a shader's \
+             loops after 65535 iterations"
+        ),
+        remedy: "keep the first of each list instead, or peel the layers (-m depth-peeling)".into(),
+    })
+}
+
+/// The most elements that insertion moves to sort an array.
+const fn sorting(array: u64) -> u64 {
+    array * array / 2
+}
+
 /// Pixels that llvmpipe shades at a time. Their loops are one loop, which goes on while any of them does; in the worst case
 /// no two of them sample at the same time.
 const TOGETHER: f64 = 8.0;
@@ -91,5 +122,17 @@ mod tests {
         assert_eq!([8, 300, 1000, 2000, 3500].map(peel), [8, 8, 8, 32, 64]);
         assert_eq!(peel_that_fits("a GPU", 8, 1_000_000).unwrap(), 8);
         assert!(peel_that_fits("llvmpipe", 8, 10_000).is_err());
+    }
+
+    #[test]
+    fn the_nearest_are_kept_by_insertion_only_where_the_driver_has_the_iterations() {
+        let fits = |array, complexity| keeping_by_insertion_fits("llvmpipe", array, complexity);
+        assert!(fits(64, 64) && fits(256, 256) && fits(64, 800) && fits(8, 6_000));
+        assert!(!fits(64, 1_000) && !fits(256, 500) && !fits(8, 8_000));
+        assert!(keeping_by_insertion_fits("a GPU", 64, 1_000_000));
+        let whole = |array, complexity| expect_keeping_fits("llvmpipe", array, complexity).is_ok();
+        assert!(
+            whole(64, 50_000) && whole(256, 20_000) && !whole(256, 30_000) && !whole(8, 60_000)
+        );
     }
 }

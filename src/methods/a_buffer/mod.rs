@@ -6,7 +6,8 @@
 //! ppDP. Fragments of equal depth are composited in the order of submission, with every manager and every fill: a record's
 //! id is its triangle's place in that order.
 //!
-//! What is not in the image: with a static array, and with ppAO alone, what lies past N in a list; with early ray
+//! What is not in the image: with a static array, and with ppAO alone, what lies past N in a list, whose order [`Keep`]
+//! tells, or with [`Keep::Nearest`] what lies behind the N nearest; with early ray
 //! termination, what lies behind the point where the ray ended; as printed, ties across ppDP's subpasses. All of it is
 //! counted.
 //!
@@ -23,7 +24,7 @@ mod loops;
 mod options;
 
 pub use bands::{Band, Room, bands};
-pub use options::{ABufferOptions, Fill, LARGEST_NETWORK, Manager, RecordColor, Sort};
+pub use options::{ABufferOptions, Fill, Keep, LARGEST_NETWORK, Manager, RecordColor, Sort};
 
 use array_sort::inserts;
 use bands::deepest;
@@ -138,6 +139,7 @@ impl ABuffer {
             ("PP_DP", yes(options.pp_dp)),
             ("FIRST_SEGMENT", SMALLEST_SEGMENT),
             ("LAST_SEGMENT", options.array),
+            ("KEEP_NEAREST", yes(options.keep == Keep::Nearest)),
             ("SORT_BY_INSERTION", yes(insertion)),
             ("LARGEST_NETWORK", LARGEST_NETWORK),
             ("DEEPEST", deepest),
@@ -313,8 +315,14 @@ impl ABuffer {
     ) -> Result<()> {
         let options = &self.options;
         let renderer = &machine.context().driver().renderer;
-        let insertion =
-            self.inserts && (!options.pp_dp || loops::insertion_fits(renderer, band.layers));
+        let array = options.array;
+        let insertion = self.inserts
+            && (!options.pp_dp || loops::insertion_fits(renderer, band.layers))
+            && (options.keep == Keep::First
+                || loops::keeping_by_insertion_fits(renderer, array, band.layers));
+        if options.keep == Keep::Nearest {
+            loops::expect_keeping_fits(renderer, array, band.layers)?;
+        }
         machine.set_constants(&self.constants(machine, insertion));
         let mut fill = Vec::new();
         if options.has_offsets() {

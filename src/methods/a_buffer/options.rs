@@ -45,6 +45,22 @@ pub enum Fill {
     Ordered,
 }
 
+/// Which fragments a full Local Array keeps, where nothing peels the rest: with a static array, and with ppAO alone.
+///
+/// The paper leaves it open: "all fragments beyond this number are discarded" (section 4, Managing Local GPU Caches), but
+/// beyond it in which order is not said.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Keep {
+    /// The first of the list as it is walked. FFB and DFB keep what came first, PPLL, whose lists begin at their newest
+    /// node, what came last. Fragments come in the order of submission by [`Fill::Ordered`]; by [`Fill::Atomics`] they
+    /// come as the driver runs them, which on llvmpipe is the same order.
+    #[default]
+    First,
+    /// The nearest, and of equal depths the first submitted: the whole list is read, and in a full array a nearer
+    /// fragment takes the place of the farthest. The same with every manager and every fill.
+    Nearest,
+}
+
 /// How a record keeps its colour.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum RecordColor {
@@ -86,6 +102,8 @@ pub struct ABufferOptions {
     pub fill: Fill,
     /// How records keep colours.
     pub color: RecordColor,
+    /// Which fragments an array keeps that has no room for all of its pixel's. Not with ppDP, which drops none.
+    pub keep: Keep,
     /// A ray ends when less light than this comes through, 0 to 1. 0, the default, is exact; the paper has 0.02.
     pub termination: f32,
     /// The most bytes that fragment lists may take, all pixels' base offsets included. What does not fit is rendered in
@@ -104,6 +122,7 @@ impl ABufferOptions {
         pp_dp: false,
         array: 64,
         peel: 8,
+        keep: Keep::First,
         sort: Sort::Automatic,
         fill: Fill::Automatic,
         color: RecordColor::Half,
@@ -177,6 +196,19 @@ impl ABufferOptions {
             return Err(Error::usage(
                 format!("ppDP cannot peel {} fragments at a time", self.peel),
                 "choose 1 to 64; 8 is usual",
+            ));
+        }
+        if self.keep == Keep::Nearest && (self.pp_dp || self.as_printed) {
+            return Err(Error::usage(
+                match self.pp_dp {
+                    true => {
+                        "ppDP drops no fragment, so there are none of which the nearest could be kept"
+                    }
+                    false => {
+                        "the paper does not say that the nearest fragments are kept, so as printed they are not"
+                    }
+                },
+                "leave out one of the two",
             ));
         }
         if !(0.0..=1.0).contains(&self.termination) {

@@ -1,9 +1,43 @@
-//! Sections 5.1 and 5.2: ppAO and ppDP as the paper prints them, and what makes them right.
+//! Section 4's static Local Array; sections 5.1 and 5.2: ppAO and ppDP as the paper prints them, and what makes them
+//! right.
 
 use crate::steps::Amendment;
 use crate::steps::pseudo::Algorithm;
 use crate::steps::pseudo::list::{
     Counter, Element, End, Key, Line, Line::*, Mark, Start, Taken, Test,
+};
+
+/// The static Local Array: "allocate a fixed sized array, of size N per thread". "All fragments beyond this number are
+/// discarded": beyond it in the Fragment List, whose order the paper leaves open. As the lists of figure 4 are filled and
+/// walked, FFB and DFB keep those that came first, and PPLL, which begins at its newest node, those that came last.
+pub const STATIC_ARRAY: Algorithm<Line> = Algorithm {
+    title: "Static Local Array",
+    source: "Lindholm et al. 2015, section 4, Managing Local GPU Caches",
+    lines: &[Pixels(&[ResolveSegment])],
+};
+
+/// Which fragments a pixel keeps that has more of them than its array, said instead of left to the list's order: the
+/// nearest, which hide the others. It takes one subpass of ppDP.
+pub const NEAREST: Algorithm<Line> = Algorithm {
+    title: "Static Local Array of the nearest",
+    source: "onionskin",
+    lines: &[
+        Input,
+        SizeOfLocalArray,
+        CreateBuffer,
+        Fragments(&[Insert(Key::DepthAndId), AT_MOST_N, DROP_LAST]),
+        ResolveBuffer(Taken::All),
+    ],
+};
+
+/// To [`STATIC_ARRAY`], if the nearest are to be kept.
+pub const KEEP_NEAREST: Amendment<Line> = Amendment {
+    key: "L09",
+    place: "section 4, all fragments beyond this number are discarded",
+    printed: &[ResolveSegment],
+    amended: &[Run(&NEAREST, &[])],
+    why: "what is dropped is the farthest, whatever the list's order: in a full array a nearer fragment takes its place",
+    test: "l09_keeping_the_nearest_gives_the_oracle_s_image_of_the_nearest_n",
 };
 
 /// per-pixel Array Optimization, as printed.
@@ -162,6 +196,22 @@ pub const PP_AO_WITHOUT_PP_DP: Amendment<Line> = Amendment {
     amended: &[If(Test::InSegment, &[ResolveSegment], &[])],
     why: "every pixel in one segment, none in two; what overflows the last is dropped",
     test: "l09_without_pp_dp_the_last_segment_drops_what_overflows_it",
+    ..PP_AO_AMENDMENT
+};
+
+/// Again without ppDP, with the last segment's array as [`KEEP_NEAREST`] has it.
+pub const PP_AO_KEEPING_NEAREST: Amendment<Line> = Amendment {
+    amended: &[If(
+        Test::InSegment,
+        &[If(
+            Test::Overflows,
+            &[Run(&NEAREST, &[])],
+            &[ResolveSegment],
+        )],
+        &[],
+    )],
+    why: "every pixel in one segment, none in two; of what overflows the last the nearest are kept",
+    test: "l09_keeping_the_nearest_gives_the_oracle_s_image_of_the_nearest_n",
     ..PP_AO_AMENDMENT
 };
 
