@@ -24,15 +24,19 @@ fn read(target: &str, bytes: &[u8]) -> Result<(), Error> {
     };
     let scene = |folder: Folder, name: &str| folder.load(name).map(drop);
     match target {
-        "nrrd" | "vti" | "pvti" => {
+        "nrrd" | "vti" => {
             let name = format!("v.{target}");
             scene(volume(&name).with(&name, bytes), "scene.toml")
         }
         "nifti" => scene(volume("v.nii").with("v.nii", bytes), "scene.toml"),
         "nhdr" => {
-            let end = bytes.windows(2).position(|pair| pair == b"\n\n");
-            let (head, data) = bytes.split_at(end.map_or(bytes.len(), |end| end + 2));
+            let (head, data) = in_two(bytes);
             let folder = volume("v.nhdr").with("v.nhdr", head).with("v.raw", data);
+            scene(folder, "scene.toml")
+        }
+        "pvti" => {
+            let (head, piece) = in_two(bytes);
+            let folder = volume("v.pvti").with("v.pvti", head).with("a.vti", piece);
             scene(folder, "scene.toml")
         }
         "toml" => {
@@ -56,6 +60,12 @@ fn read(target: &str, bytes: &[u8]) -> Result<(), Error> {
         }
         other => panic!("there is no reader '{other}'"),
     }
+}
+
+/// Up to the first empty line, and what comes after it.
+fn in_two(bytes: &[u8]) -> (&[u8], &[u8]) {
+    let end = bytes.windows(2).position(|pair| pair == b"\n\n");
+    bytes.split_at(end.map_or(bytes.len(), |end| end + 2))
 }
 
 fn files_in(folder: &Path) -> Vec<PathBuf> {
