@@ -14,7 +14,9 @@ mod fog_plans;
 #[allow(dead_code)]
 mod fog_scenes;
 use fog_plans::{Plan, plans};
-use fog_scenes::{Random, fog_and_pane, fog_with_a_gap, fogs_and_panes, gradient, off, painted, random_scene};
+use fog_scenes::{
+    Random, fog_and_pane, fog_with_a_gap, fogs_and_panes, gradient, off, painted, random_scene,
+};
 #[path = "common/slack.rs"]
 #[allow(dead_code)]
 mod slack;
@@ -333,5 +335,8 @@ fn empty_samples_and_the_cells_around_them_are_not_seen() {
     let off_half = off(&scene, &frame.image, sigma / 2.0);
     // Two half steps, seen at 8 degrees at the most.
     assert!(off_half < sigma * 1.01 * 0.01, "{off_half}");
-    assert!(off(&scene, &frame.image, sigma) > 0.2, "a gap would go unnoticed");
+    assert!(
+        off(&scene, &frame.image, sigma) > 0.2,
+        "a gap would go unnoticed"
+    );
 }

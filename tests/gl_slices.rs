@@ -420,5 +420,8 @@ fn empty_samples_and_the_cells_around_them_are_not_sliced() {
     let off_half = off(&scene, &frame.image, sigma / 2.0);
     // Two half slabs of 2/200, seen at 8 degrees at the most.
     assert!(off_half < sigma * 1.01 * 0.01, "{off_half}");
-    assert!(off(&scene, &frame.image, sigma) > 0.2, "a gap would go unnoticed");
+    assert!(
+        off(&scene, &frame.image, sigma) > 0.2,
+        "a gap would go unnoticed"
+    );
 }

@@ -297,7 +297,12 @@ fn what_is_not_read_of_nifti_is_named() {
     bad("v.nii", &two).says("NIfTI-2");
     two[0] = 99;
     bad("v.nii", &two).says("540");
-    for (datatype, name) in [(1, "BINARY"), (32, "COMPLEX64"), (128, "RGB24"), (2304, "RGBA32")] {
+    for (datatype, name) in [
+        (1, "BINARY"),
+        (32, "COMPLEX64"),
+        (128, "RGB24"),
+        (2304, "RGBA32"),
+    ] {
         bad_nifti(Nifti {
             datatype,
             ..Nifti::default()
@@ -305,7 +310,12 @@ fn what_is_not_read_of_nifti_is_named() {
         .says(name)
         .says("NIfTI-1");
     }
-    for (name, says) in [("v.hdr", "pair"), ("v.img.gz", "pair"), ("v.mha", "MetaImage"), ("v.vtk", "legacy")] {
+    for (name, says) in [
+        ("v.hdr", "pair"),
+        ("v.img.gz", "pair"),
+        ("v.mha", "MetaImage"),
+        ("v.vtk", "legacy"),
+    ] {
         bad(name, b"").says(says).suggests(".nii.gz");
     }
 }

@@ -17,7 +17,10 @@ fn file(bad: &[(usize, f32)]) -> Vec<u8> {
         samples[place] = value;
     }
     let head = nrrd_head("float", "raw", "little", "").replace("2 3 4", "4 3 2");
-    let data: Vec<u8> = samples.iter().flat_map(|sample| sample.to_le_bytes()).collect();
+    let data: Vec<u8> = samples
+        .iter()
+        .flat_map(|sample| sample.to_le_bytes())
+        .collect();
     [head.as_bytes(), b"\n", &data].concat()
 }
 
@@ -35,10 +38,20 @@ fn they_are_empty_and_counted() {
         assert!(volume.has_empty());
         for (i, sample) in volume.samples().iter().enumerate() {
             let is_bad = BAD.iter().any(|(place, _)| *place == i);
-            assert!(if is_bad { sample.is_nan() } else { *sample == i as f32 }, "{i} {sample}");
+            assert!(
+                if is_bad {
+                    sample.is_nan()
+                } else {
+                    *sample == i as f32
+                },
+                "{i} {sample}"
+            );
         }
         let notice = &scene.notices[0];
-        assert!(notice.contains("3 of 24 samples are not numbers (1 NaN, 2 infinite)"), "{notice}");
+        assert!(
+            notice.contains("3 of 24 samples are not numbers (1 NaN, 2 infinite)"),
+            "{notice}"
+        );
         assert!(notice.contains("empty"), "{notice}");
     }
     let clean = scene("", &[]);
@@ -56,10 +69,16 @@ fn a_scene_file_may_give_them_a_value() {
             assert_eq!(volume.samples()[place], value);
         }
         assert_eq!(volume.samples()[1], 1.0);
-        assert!(scene.notices[0].contains("as `nan` says"), "{:?}", scene.notices);
+        assert!(
+            scene.notices[0].contains("as `nan` says"),
+            "{:?}",
+            scene.notices
+        );
     }
     for wrong in ["\"nothing\"", "nan", "inf", "true", "[1]"] {
-        let scene = format!("[[volume]]\nfile = \"v.nrrd\"\nnan = {wrong}\ntransfer = [{{ value = 0, color = [1, 1, 1], density = 1 }}]\n");
+        let scene = format!(
+            "[[volume]]\nfile = \"v.nrrd\"\nnan = {wrong}\ntransfer = [{{ value = 0, color = [1, 1, 1], density = 1 }}]\n"
+        );
         assert_eq!(bad_toml(&scene).line, Some(3), "{wrong}");
     }
     bad_toml("[[volume]]\ngenerate = \"ball\"\nnan = 0\n").at(3, "nan");
@@ -70,7 +89,11 @@ fn numbers_that_are_too_large_stay_numbers() {
     let found = scene("", &[(3, f32::MAX), (4, f32::MIN), (5, 1e38)]);
     let samples = found.volumes[0].samples();
     assert_eq!(samples[3..6], [1e38, -1e38, 1e38]);
-    assert!(found.notices[0].contains("2 of 24 samples are beyond 1e38"), "{:?}", found.notices);
+    assert!(
+        found.notices[0].contains("2 of 24 samples are beyond 1e38"),
+        "{:?}",
+        found.notices
+    );
     // A double beyond all floats is as large, and not infinite.
     let data: Vec<u8> = (0..24).flat_map(|_| 1e300_f64.to_le_bytes()).collect();
     let head = nrrd_head("double", "raw", "little", "");
@@ -82,7 +105,9 @@ fn numbers_that_are_too_large_stay_numbers() {
         scale: [1e30, 0.0],
         ..Nifti::default()
     };
-    let data: Vec<u8> = (0..24).flat_map(|i| (i as f32 * 1e20).to_le_bytes()).collect();
+    let data: Vec<u8> = (0..24)
+        .flat_map(|i| (i as f32 * 1e20).to_le_bytes())
+        .collect();
     let volume = read("v.nii", &[header.bytes(), data].concat());
     assert_eq!(volume.samples()[23], 1e38);
 }
@@ -134,38 +159,41 @@ fn ball(empty: impl Fn([usize; 3]) -> bool) -> Volume {
     let samples = (0..17 * 17 * 17).map(|i| {
         let index = [i % 17, i / 17 % 17, i / 289];
         let place = DVec3::from_array(index.map(|i| i as f64 - 8.0));
-        if empty(index) { f32::NAN } else { 8.0 - place.length() as f32 }
+        if empty(index) {
+            f32::NAN
+        } else {
+            8.0 - place.length() as f32
+        }
     });
     Volume::new("ball", [17; 3], samples.collect(), DAffine3::IDENTITY).unwrap()
 }
 
 #[test]
 fn isosurfaces_end_where_it_is_empty() {
-    let surface = |volume: &Volume| {
-        isosurface(&Isosurface {
-            volume,
-            value: 3.0,
-        })
-        .unwrap()
-    };
+    let surface = |volume: &Volume| isosurface(&Isosurface { volume, value: 3.0 }).unwrap();
     let whole = surface(&ball(|_| false));
     let half = surface(&ball(|[x, ..]| x < 8));
     assert!(!half.triangles.is_empty() && half.triangles.len() < whole.triangles.len());
     for vertex in &half.vertices {
         assert!(vertex.position.is_finite() && vertex.position.x >= 8.0);
-        // A ball's normals point from its middle. At the edge they are of a cell alone, 0.2 of its 5 units wide.
+        // A ball's normals point from its middle. At the edge they are of a cell alone, 0.2 of its 5.1 units wide.
         let outward = (vertex.position - glam::Vec3::splat(8.0)).normalize();
         assert!(vertex.normal.dot(outward) > 0.95, "{vertex:?}");
     }
     // What is left is the other surface's part, corner by corner.
-    let all: std::collections::HashSet<_> =
-        whole.vertices.iter().map(|vertex| vertex.position.to_array().map(f32::to_bits)).collect();
+    let all: std::collections::HashSet<_> = whole
+        .vertices
+        .iter()
+        .map(|vertex| vertex.position.to_array().map(f32::to_bits))
+        .collect();
     for vertex in &half.vertices {
         assert!(all.contains(&vertex.position.to_array().map(f32::to_bits)));
     }
     let count = |mesh: &onionskin::scene::Mesh| {
         let right = |triangle: &&[u32; 3]| {
-            triangle.iter().all(|&i| mesh.vertices[i as usize].position.x >= 8.0)
+            triangle
+                .iter()
+                .all(|&i| mesh.vertices[i as usize].position.x >= 8.0)
         };
         mesh.triangles.iter().filter(right).count()
     };

@@ -145,8 +145,7 @@ fn nrrd_stands_where_its_header_says() {
         [1.0, 2.0, 3.0],
         [0.5, 4.0, -3.0],
     );
-    let directions =
-        "space directions: (0,2,0) (-1, 0, 0) (0.5,0,3)\nspace origin: (10,20,30)\n";
+    let directions = "space directions: (0,2,0) (-1, 0, 0) (0.5,0,3)\nspace origin: (10,20,30)\n";
     stands(&with(directions), [0.0; 3], [10.0, 20.0, 30.0]);
     stands(&with(directions), [1.0, 2.0, 2.0], [9.0, 22.0, 36.0]);
 }

@@ -37,7 +37,11 @@ fn text_in_every_name_and_without_endian() {
             }
         }
     }
-    let lines = head("short", "ascii", "endian: big\nline skip: 2\nbyte skip: 4\n");
+    let lines = head(
+        "short",
+        "ascii",
+        "endian: big\nline skip: 2\nbyte skip: 4\n",
+    );
     let text: String = (0..24).map(|i| format!(" {i}")).collect();
     let volume = attached(&lines, format!("a\nb\nskip{text}\n and more").as_bytes());
     assert_eq!(volume.samples(), counting());
@@ -47,8 +51,20 @@ fn text_in_every_name_and_without_endian() {
 fn numbers_that_are_none_are_written_in_many_ways() {
     let mut words: Vec<String> = (0..24).map(|i| i.to_string()).collect();
     let empty = [
-        "nan", "NaN", "-nan", "+NAN", "inf", "-inf", "Infinity", "1.#INF", "-1.#INF", "1.#QNAN",
-        "-1.#IND", "nan(ind)", "-nan(snan)", "1.#SNAN0",
+        "nan",
+        "NaN",
+        "-nan",
+        "+NAN",
+        "inf",
+        "-inf",
+        "Infinity",
+        "1.#INF",
+        "-1.#INF",
+        "1.#QNAN",
+        "-1.#IND",
+        "nan(ind)",
+        "-nan(snan)",
+        "1.#SNAN0",
     ];
     for (word, text) in words.iter_mut().zip(empty) {
         *word = text.to_owned();
@@ -61,13 +77,23 @@ fn numbers_that_are_none_are_written_in_many_ways() {
 
 #[test]
 fn hexadecimal_digits() {
-    let digits: String = (0..24_i16).flat_map(i16::to_le_bytes).map(|byte| format!("{byte:02x}")).collect();
+    let digits: String = (0..24_i16)
+        .flat_map(i16::to_le_bytes)
+        .map(|byte| format!("{byte:02x}"))
+        .collect();
     let little = head("short", "hex", "endian: little\n");
-    for text in [digits.clone(), digits.to_uppercase(), digits.replace("00", "0\n0 ")] {
+    for text in [
+        digits.clone(),
+        digits.to_uppercase(),
+        digits.replace("00", "0\n0 "),
+    ] {
         assert_eq!(attached(&little, text.as_bytes()).samples(), counting());
     }
     let bytes: String = (0..24).map(|byte| format!("{byte:02X}")).collect();
-    assert_eq!(attached(&head("uchar", "hex", ""), bytes.as_bytes()).samples(), counting());
+    assert_eq!(
+        attached(&head("uchar", "hex", ""), bytes.as_bytes()).samples(),
+        counting()
+    );
 }
 
 #[test]
@@ -85,7 +111,11 @@ fn text_that_is_wrong_is_refused() {
     wrong(&head("short", "hex", ""), &b"00".repeat(48)).says("`endian`");
     wrong(&head("short", "raw", ""), &[0; 48]).says("`endian`");
     wrong(&head("float", "bz2", "endian: little\n"), &[0; 96]).says("bzip2");
-    wrong(&head("float", "ascii", "byte skip: -1\n"), &b"1 ".repeat(24)).says("raw samples only");
+    wrong(
+        &head("float", "ascii", "byte skip: -1\n"),
+        &b"1 ".repeat(24),
+    )
+    .says("raw samples only");
     for version in ["NRRD0007", "NRRD00.01", "NRRD0000"] {
         bad("v.nrrd", ascii.replace("NRRD0004", version).as_bytes()).says(version);
     }
@@ -99,7 +129,11 @@ fn an_axis_of_one_sample_is_left_out_wherever_it_stands() {
         ("2 3 1 4", "(2,0,0) (0,3,0) none (0,0,4)", "2 3 1 4"),
         ("2 3 4 1", "(2,0,0) (0,3,0) (0,0,4) none", "2 3 4 nan"),
         // More of them, and one that lies in space all the same.
-        ("1 2 1 3 4", "none (2,0,0) none (0,3,0) (0,0,4)", "nan 2 nan 3 4"),
+        (
+            "1 2 1 3 4",
+            "none (2,0,0) none (0,3,0) (0,0,4)",
+            "nan 2 nan 3 4",
+        ),
         ("2 3 4 1", "(2,0,0) (0,3,0) (0,0,4) (1,1,1)", "2 3 4 9"),
     ] {
         let axes = sizes.split(' ').count();
@@ -114,7 +148,11 @@ fn an_axis_of_one_sample_is_left_out_wherever_it_stands() {
             assert_eq!(volume.dims(), [2, 3, 4], "{sizes}");
             assert_eq!(volume.samples(), counting());
             let far = volume.index_to_world().transform_point3(DVec3::ONE);
-            let first = if place.contains("origin") { DVec3::new(5.0, 6.0, 7.0) } else { DVec3::ZERO };
+            let first = if place.contains("origin") {
+                DVec3::new(5.0, 6.0, 7.0)
+            } else {
+                DVec3::ZERO
+            };
             assert_eq!(far - first, DVec3::new(2.0, 3.0, 4.0), "{place}");
         }
     }
@@ -140,7 +178,12 @@ fn slices(names: &[&str], head: &str) -> Result<Scene, onionskin::Error> {
     let each = 24 / names.len();
     let bytes: Vec<u8> = (0..24).collect();
     let mut files = vec![("v.nhdr", head.as_bytes())];
-    files.extend(names.iter().zip(bytes.chunks(each)).map(|(name, data)| (*name, data)));
+    files.extend(
+        names
+            .iter()
+            .zip(bytes.chunks(each))
+            .map(|(name, data)| (*name, data)),
+    );
     load_scene(&files)
 }
 
@@ -164,7 +207,10 @@ fn samples_in_several_files() {
     good(&in_order, "s%i.raw 1 4 1 2\n");
     good(&["s10", "s8", "s6", "s4"], "s%d 10 4 -2\n");
     good(&["s-1", "s00", "s01", "s02"], "s%02d -1 2 1\n");
-    good(&["a 008.raw", "a 009.raw", "a 010.raw", "a 011.raw"], "a %03d.raw 8 11 1\n");
+    good(
+        &["a 008.raw", "a 009.raw", "a 010.raw", "a 011.raw"],
+        "a %03d.raw 8 11 1\n",
+    );
     good(&["first0", "first1"], "first%d 0 1 1 3\n");
     good(&rows, "row%d 0 11 1 1\n");
     // A name with a percent sign in it, but without numbers.
@@ -174,16 +220,37 @@ fn samples_in_several_files() {
 #[test]
 fn samples_in_several_files_packed_and_as_text() {
     let parts: Vec<Vec<u8>> = (0..4).map(|k| (6 * k..6 * k + 6).collect()).collect();
-    let packed: Vec<Vec<u8>> = parts.iter().map(|part| gzip(&[b"ab", &part[..]].concat())).collect();
+    let packed: Vec<Vec<u8>> = parts
+        .iter()
+        .map(|part| gzip(&[b"ab", &part[..]].concat()))
+        .collect();
     let texts: Vec<Vec<u8>> = parts
         .iter()
-        .map(|part| format!("# one\n{}", part.iter().map(|i| format!("{i}\n")).collect::<String>()).into_bytes())
+        .map(|part| {
+            format!(
+                "# one\n{}",
+                part.iter().map(|i| format!("{i}\n")).collect::<String>()
+            )
+            .into_bytes()
+        })
         .collect();
-    for (encoding, files, skip) in [("gzip", packed, "byte skip: 2"), ("ascii", texts, "line skip: 1")] {
-        let head = head("uchar", encoding, &format!("{skip}\ndata file: p%d 0 3 1\n"));
+    for (encoding, files, skip) in [
+        ("gzip", packed, "byte skip: 2"),
+        ("ascii", texts, "line skip: 1"),
+    ] {
+        let head = head(
+            "uchar",
+            encoding,
+            &format!("{skip}\ndata file: p%d 0 3 1\n"),
+        );
         let names = ["p0", "p1", "p2", "p3"];
         let mut all = vec![("v.nhdr", head.as_bytes())];
-        all.extend(names.iter().zip(&files).map(|(name, file)| (*name, file.as_slice())));
+        all.extend(
+            names
+                .iter()
+                .zip(&files)
+                .map(|(name, file)| (*name, file.as_slice())),
+        );
         assert_eq!(load(&all).unwrap().samples(), counting(), "{encoding}");
     }
 }
@@ -220,7 +287,10 @@ fn the_patients_spaces_become_one() {
         load_scene(&[("v.nrrd", &[head.as_bytes(), b"\n", &[0; 24]].concat())]).unwrap()
     };
     let at = |scene: &Scene, index: [f64; 3]| {
-        scene.volumes[0].index_to_world().transform_point3(index.into()).to_array()
+        scene.volumes[0]
+            .index_to_world()
+            .transform_point3(index.into())
+            .to_array()
     };
     for (space, signs, said) in [
         ("right-anterior-superior", [1.0, 1.0, 1.0], None),
@@ -246,20 +316,34 @@ fn the_patients_spaces_become_one() {
             }
         }
     }
-    assert_eq!(at(&scene("content: none"), [1.0, 2.0, 2.0]), [9.0, 22.0, 36.0]);
+    assert_eq!(
+        at(&scene("content: none"), [1.0, 2.0, 2.0]),
+        [9.0, 22.0, 36.0]
+    );
 }
 
 #[test]
 fn one_patient_as_lps_and_as_nifti_lies_in_one_place() {
     let nifti = Nifti {
-        sform: Some([[-1.5, 0.0, 0.0, 4.0], [0.0, -1.25, 0.0, 3.0], [0.0, 0.0, 2.0, -3.0]]),
+        sform: Some([
+            [-1.5, 0.0, 0.0, 4.0],
+            [0.0, -1.25, 0.0, 3.0],
+            [0.0, 0.0, 2.0, -3.0],
+        ]),
         ..Nifti::default()
     };
     let ras = read("v.nii", &[nifti.bytes(), vec![0; 24]].concat());
     let place = "space: left-posterior-superior\nspace directions: (1.5,0,0) (0,1.25,0) (0,0,2)\nspace origin: (-4,-3,-3)\n";
     let lps = attached(&head("uchar", "raw", place), &[0; 24]);
     assert_eq!(lps.index_to_world(), ras.index_to_world());
-    let own = attached(&head("uchar", "raw", &place.replace("space: left-posterior-superior\n", "")), &[0; 24]);
+    let own = attached(
+        &head(
+            "uchar",
+            "raw",
+            &place.replace("space: left-posterior-superior\n", ""),
+        ),
+        &[0; 24],
+    );
     assert_ne!(own.index_to_world(), ras.index_to_world());
 }
 
@@ -284,9 +368,10 @@ fn pipes_and_devices_are_refused_before_they_are_opened() {
         .enumerate()
         .fold(folder, |folder, (i, name)| {
             let header = head("uchar", "raw", &format!("data file: {name}\n"));
-            folder
-                .with(&format!("{i}.nhdr"), header)
-                .with(&format!("{i}.toml"), format!("[[volume]]\nfile = \"{i}.nhdr\"\n{look}\n"))
+            folder.with(&format!("{i}.nhdr"), header).with(
+                &format!("{i}.toml"),
+                format!("[[volume]]\nfile = \"{i}.nhdr\"\n{look}\n"),
+            )
         });
     for i in 0..4 {
         refused(folder.load(&format!("{i}.toml"))).says("a device or a pipe");

@@ -54,6 +54,19 @@ pub fn gzip(bytes: &[u8]) -> Vec<u8> {
     encoder.finish().unwrap()
 }
 
+/// The same of a head and so many zeros, which are never all there.
+pub fn gzip_with_zeros(head: &[u8], zeros: usize) -> Vec<u8> {
+    let mut encoder = GzEncoder::new(Vec::new(), Compression::default());
+    encoder.write_all(head).unwrap();
+    let mut left = zeros;
+    while left > 0 {
+        let piece = left.min(1 << 14);
+        encoder.write_all(&[0; 1 << 14][..piece]).unwrap();
+        left -= piece;
+    }
+    encoder.finish().unwrap()
+}
+
 pub fn base64(bytes: &[u8]) -> String {
     base64::engine::general_purpose::STANDARD.encode(bytes)
 }

@@ -179,7 +179,13 @@ impl Isosurface<'_> {
         for number in 0..8 {
             let sample = f64::from(self.volume.samples()[self.offset(corner(cell, number))]);
             let is_far: [bool; 3] = std::array::from_fn(|axis| number >> axis & 1 == 1);
-            let weight = |axis: usize| if is_far[axis] { part[axis] } else { 1.0 - part[axis] };
+            let weight = |axis: usize| {
+                if is_far[axis] {
+                    part[axis]
+                } else {
+                    1.0 - part[axis]
+                }
+            };
             for axis in 0..3 {
                 let sign = if is_far[axis] { 1.0 } else { -1.0 };
                 let others = weight((axis + 1) % 3) * weight((axis + 2) % 3);

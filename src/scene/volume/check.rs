@@ -26,7 +26,10 @@ pub(super) fn count_of(dims: [usize; 3]) -> Result<usize, Fault> {
     match count {
         Some(count) if count <= MAX_SAMPLES => Ok(count as usize),
         _ => Err((
-            format!("{} are more than {MAX_SAMPLES} samples, the most that are read", shown(dims)),
+            format!(
+                "{} are more than {MAX_SAMPLES} samples, the most that are read",
+                shown(dims)
+            ),
             "Crop it or take every other sample.",
         )),
     }

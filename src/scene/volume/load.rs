@@ -38,10 +38,26 @@ pub(super) const ENDINGS: &str = ".nrrd, .nhdr, .nii, .nii.gz, .vti, .pvti";
 
 /// Endings of volumes that are not read, and what they are.
 const UNREAD: [(&str, &str, &str); 12] = [
-    (".hdr", "the header of a NIfTI-1 or ANALYZE 7.5 pair (.hdr and .img)", ".nii"),
-    (".img", "the samples of a NIfTI-1 or ANALYZE 7.5 pair (.hdr and .img)", ".nii"),
-    (".hdr.gz", "the header of a packed NIfTI-1 pair (.hdr.gz and .img.gz)", ".nii.gz"),
-    (".img.gz", "the samples of a packed NIfTI-1 pair (.hdr.gz and .img.gz)", ".nii.gz"),
+    (
+        ".hdr",
+        "the header of a NIfTI-1 or ANALYZE 7.5 pair (.hdr and .img)",
+        ".nii",
+    ),
+    (
+        ".img",
+        "the samples of a NIfTI-1 or ANALYZE 7.5 pair (.hdr and .img)",
+        ".nii",
+    ),
+    (
+        ".hdr.gz",
+        "the header of a packed NIfTI-1 pair (.hdr.gz and .img.gz)",
+        ".nii.gz",
+    ),
+    (
+        ".img.gz",
+        "the samples of a packed NIfTI-1 pair (.hdr.gz and .img.gz)",
+        ".nii.gz",
+    ),
     (".mhd", "a MetaImage header", ".nhdr"),
     (".mha", "a MetaImage", ".nrrd"),
     (".dcm", "a DICOM slice", ".nrrd"),

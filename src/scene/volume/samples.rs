@@ -62,11 +62,7 @@ impl SampleType {
     }
 }
 
-fn read<const N: usize>(
-    bytes: &[u8],
-    samples: &mut Vec<f32>,
-    convert: impl Fn([u8; N]) -> f32,
-) {
+fn read<const N: usize>(bytes: &[u8], samples: &mut Vec<f32>, convert: impl Fn([u8; N]) -> f32) {
     let (whole, _) = bytes.as_chunks();
     samples.extend(whole.iter().map(|&sample| convert(sample)));
 }

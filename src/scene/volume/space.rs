@@ -36,7 +36,10 @@ impl Space {
         let (name, changed) = match self {
             Self::Ras => return None,
             Self::Las => ("left-anterior-superior (LAS)", "x changes its sign"),
-            Self::Lps => ("left-posterior-superior (LPS)", "x and y change their signs"),
+            Self::Lps => (
+                "left-posterior-superior (LPS)",
+                "x and y change their signs",
+            ),
         };
         Some(format!(
             "{}: its space is {name}; it is put into the world's right-anterior-superior (RAS): {changed}. Meshes, and volumes that name no such space, stay as they are",

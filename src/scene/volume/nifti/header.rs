@@ -89,7 +89,8 @@ static TWO: Version = Version {
 /// Bytes of the longer header.
 pub(super) const LONGEST: usize = 540;
 
-const REMEDY: &str = "Give a NIfTI-1 or NIfTI-2 file with header and samples in one (.nii or .nii.gz).";
+const REMEDY: &str =
+    "Give a NIfTI-1 or NIfTI-2 file with header and samples in one (.nii or .nii.gz).";
 
 impl Header {
     pub(super) fn read(path: &Path, bytes: &[u8]) -> Result<Self> {

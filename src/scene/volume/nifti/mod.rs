@@ -62,7 +62,10 @@ fn unpack(path: &Path, bytes: &[u8], header: &Header, layout: &Layout) -> Result
     }
     let mut unpacker = gzip::unpack(bytes);
     let mut samples = room(path, layout)?;
-    let skipped = std::io::copy(&mut unpacker.by_ref().take(start as u64), &mut std::io::sink());
+    let skipped = std::io::copy(
+        &mut unpacker.by_ref().take(start as u64),
+        &mut std::io::sink(),
+    );
     let read = skipped.and_then(|_| layout.read(unpacker, &mut samples));
     expect(path, layout, read.map_err(|error| damaged(path, &error))?)?;
     Ok(samples)
@@ -97,7 +100,9 @@ fn expect(path: &Path, layout: &Layout, found: usize) -> Result<()> {
 
 fn layout(path: &Path, header: &Header) -> Result<Layout> {
     let [count, x, y, z, rest @ ..] = header.dim;
-    let used = usize::try_from(count).ok().filter(|used| (3..=7).contains(used));
+    let used = usize::try_from(count)
+        .ok()
+        .filter(|used| (3..=7).contains(used));
     let single = used.is_some_and(|used| rest[..used - 3].iter().all(|&length| length == 1));
     if !single {
         let shown = usize::try_from(count).unwrap_or(0).min(7);

@@ -19,7 +19,10 @@ const MOST: usize = 16;
 impl Axes {
     pub(super) fn read(header: &Header) -> Result<Self> {
         let dimension = header.required("dimension")?.text.as_str();
-        let number = dimension.parse().ok().filter(|axes| (1..=MOST).contains(axes));
+        let number = dimension
+            .parse()
+            .ok()
+            .filter(|axes| (1..=MOST).contains(axes));
         let Some(number) = number else {
             let what = format!("'{dimension}' is not a number of axes from 1 to {MOST}");
             return Err(header.wrong("dimension", what, "Give a three-dimensional array."));

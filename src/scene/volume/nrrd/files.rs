@@ -93,7 +93,9 @@ impl<'h> Files<'h> {
         if fits {
             return Ok(());
         }
-        let wanted = axes.sizes[subdim.min(dimension - 1)..].iter().product::<usize>();
+        let wanted = axes.sizes[subdim.min(dimension - 1)..]
+            .iter()
+            .product::<usize>();
         let what = format!(
             "it names several files, {found} of them, for {wanted} parts of {subdim} of the {dimension} axes"
         );
@@ -163,19 +165,30 @@ impl<'h> Numbered<'h> {
         let named = Self {
             before,
             after,
-            width: if width.is_empty() { 0 } else { width.parse().ok().filter(|&width: &usize| width < 256)? },
+            width: if width.is_empty() {
+                0
+            } else {
+                width.parse().ok().filter(|&width: &usize| width < 256)?
+            },
             zeros: width.starts_with('0'),
             first,
             step,
             // Where the step leads away from the last number there is none.
             count: usize::try_from(steps).map_or(0, |steps| steps.saturating_add(1)),
         };
-        let subdim = subdim.first().map(|&axes| usize::try_from(axes).unwrap_or(0));
+        let subdim = subdim
+            .first()
+            .map(|&axes| usize::try_from(axes).unwrap_or(0));
         Some((named, subdim))
     }
 
     fn name(&self, number: usize) -> String {
-        let Self { before, after, width, .. } = *self;
+        let Self {
+            before,
+            after,
+            width,
+            ..
+        } = *self;
         // Within the first and the last number.
         let value = i128::from(self.first) + i128::from(self.step) * number as i128;
         if self.zeros {

@@ -218,7 +218,11 @@ fn expect_magic(path: &Path, line: &[u8]) -> Result<()> {
     if line.starts_with(b"NRRD") {
         let shown = line[..line.len().min(20)].escape_ascii();
         let what = format!("this is NRRD of the version {shown}; known are NRRD0001 to NRRD0006");
-        return Err(Error::input(place, what, "Save the volume again, with teem or Slicer."));
+        return Err(Error::input(
+            place,
+            what,
+            "Save the volume again, with teem or Slicer.",
+        ));
     }
     Err(Error::input(
         place,

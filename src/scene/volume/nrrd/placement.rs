@@ -98,7 +98,11 @@ fn origin(header: &Header) -> Result<DVec3> {
         Some(origin) if origin.is_finite() => Ok(origin),
         _ => {
             let what = "this is not a place (x,y,z) of finite numbers";
-            Err(header.wrong("space origin", what, "Give three finite numbers in brackets."))
+            Err(header.wrong(
+                "space origin",
+                what,
+                "Give three finite numbers in brackets.",
+            ))
         }
     }
 }

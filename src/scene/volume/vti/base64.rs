@@ -86,7 +86,9 @@ mod tests {
 
     #[test]
     fn wherever_padding_stands_there_is_an_end() {
-        for text in ["=", "====", "=AAA", "A=", "AA=", "AAA", "AA=A", "AAAA=", "AAAA====", "AA==="] {
+        for text in [
+            "=", "====", "=AAA", "A=", "AA=", "AAA", "AA=A", "AAAA=", "AAAA====", "AA===",
+        ] {
             assert!(decoded(text).unwrap_err().contains("base64"), "{text}");
         }
     }

@@ -41,7 +41,8 @@ impl<'a> Form<'a> {
             endian: self.endian,
         };
         // The text may be in parts, between elements that say more about the array.
-        let texts: Vec<&str> = array.children().filter_map(|node| node.text()).collect();
+        let texts = array.children().filter(Node::is_text);
+        let texts: Vec<&str> = texts.filter_map(|node| node.text()).collect();
         match array.attribute("format") {
             Some("ascii") => self.ascii(&texts, &layout),
             Some("binary") => {
@@ -138,9 +139,13 @@ impl<'a> Form<'a> {
         layout: &Layout,
     ) -> Result<Vec<f32>, Fault> {
         let said = self.number(source)?;
+        let mut source = source.take(said);
         let mut samples = Vec::new();
-        let found = said.min(most.saturating_sub(self.width) as u64);
-        layout.expect(found as usize)?;
+        if most < layout.bytes() {
+            // So few cannot hold the samples; how many there are is worth saying.
+            let found = io::copy(&mut source, &mut io::sink())?;
+            layout.expect(found as usize)?;
+        }
         make_room(&mut samples, layout.count())?;
         let read = layout.read(source, &mut samples)?;
         layout.expect(read)?;
@@ -309,13 +314,18 @@ fn is_packed(document: &Document, root: Node) -> Result<bool> {
         Some("vtkZLibDataCompressor") => return Ok(true),
         Some(name) => name,
     };
-    let known = [("vtkLZ4DataCompressor", "LZ4"), ("vtkLZMADataCompressor", "LZMA")];
+    let known = [
+        ("vtkLZ4DataCompressor", "LZ4"),
+        ("vtkLZMADataCompressor", "LZMA"),
+    ];
     let known = known.iter().find(|(compressor, _)| *compressor == name);
     let packed_by = known.map_or(String::new(), |(_, short)| format!("{short}, by "));
     let version = root.attribute("version").unwrap_or("(none)");
     Err(document.wrong(
         "compressor",
-        format!("this VTK file of version {version} is packed by {packed_by}{name}, which is not read"),
+        format!(
+            "this VTK file of version {version} is packed by {packed_by}{name}, which is not read"
+        ),
         "Save the image with VTK's zlib compressor or without compression.",
     ))
 }
