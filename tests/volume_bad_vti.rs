@@ -125,6 +125,14 @@ fn vti_with_bad_data() {
         .says("vtkLZ4DataCompressor")
         .says("version 1.0")
         .says("LZ4");
+    // Numbers in ASCII are not packed, whatever else would be.
+    let words: Vec<String> = (0..24).map(|i| i.to_string()).collect();
+    let ascii = String::from_utf8(vti.inline("ascii", &words.join(" "))).unwrap();
+    let ascii = ascii.replace(
+        "header_type",
+        "compressor=\"vtkLZ4DataCompressor\" header_type",
+    );
+    assert_eq!(read("v.vti", ascii.as_bytes()).samples()[23], 23.0);
     let packed = Vti {
         packed: true,
         ..Vti::default()

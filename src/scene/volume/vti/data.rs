@@ -19,7 +19,6 @@ pub(super) struct Form<'a> {
     endian: Endian,
     /// Bytes of a whole number before the samples.
     width: usize,
-    is_packed: bool,
 }
 
 impl<'a> Form<'a> {
@@ -29,7 +28,6 @@ impl<'a> Form<'a> {
             root,
             endian: endian(document, root)?,
             width: width(document, root)?,
-            is_packed: is_packed(document, root)?,
         })
     }
 
@@ -116,8 +114,10 @@ impl<'a> Form<'a> {
 
     /// Whole numbers that say how long the array is, then the samples, packed or not. There are at most `most` bytes.
     fn binary(&self, source: impl Read, most: usize, layout: &Layout) -> Result<Vec<f32>> {
+        // Of numbers in ASCII it does not matter what would be packed how.
+        let is_packed = is_packed(self.document, self.root)?;
         let mut source = Counted { source, read: 0 };
-        let result = if self.is_packed {
+        let result = if is_packed {
             self.packed(&mut source, most, layout)
         } else {
             self.plain(&mut source, most, layout)
@@ -319,13 +319,11 @@ fn is_packed(document: &Document, root: Node) -> Result<bool> {
         ("vtkLZMADataCompressor", "LZMA"),
     ];
     let known = known.iter().find(|(compressor, _)| *compressor == name);
-    let packed_by = known.map_or(String::new(), |(_, short)| format!("{short}, by "));
+    let shown = known.map_or(name.to_owned(), |(_, short)| format!("{short} ({name})"));
     let version = root.attribute("version").unwrap_or("(none)");
     Err(document.wrong(
         "compressor",
-        format!(
-            "this VTK file of version {version} is packed by {packed_by}{name}, which is not read"
-        ),
+        format!("this VTK file of version {version} is packed by {shown}, which is not read"),
         "Save the image with VTK's zlib compressor or without compression.",
     ))
 }
