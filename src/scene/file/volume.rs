@@ -35,6 +35,8 @@ impl NamedVolume {
 const COMMON: [&str; 5] = ["name", "hidden", "step", "transfer", "transform"];
 /// Those of a volume from a file.
 const OF_FILES: [&str; 3] = ["file", "array", "nan"];
+/// The most bytes that the samples of one file take.
+const MOST_READ: u64 = volume::MAX_SAMPLES * size_of::<f32>() as u64;
 /// The most samples that one scene file generates: 2 GiB of them.
 const MOST_GENERATED: u64 = volume::MAX_SAMPLES;
 
@@ -101,6 +103,7 @@ fn wish<'a>(keys: &Keys<'a>) -> Result<Wish<'a>> {
             Some(NumberOrWord::Number(value)) => Missing::Value(value as f32),
             Some(NumberOrWord::Word) | None => Missing::Empty,
         },
+        most_bytes: MOST_READ,
     })
 }
 

@@ -18,15 +18,32 @@ pub(in crate::scene) struct Loaded {
 }
 
 /// What is asked of a reader besides the file.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub(in crate::scene) struct Wish<'a> {
     /// Of files with several arrays, the one that is wanted.
     pub(in crate::scene) array: Option<&'a str>,
     /// What samples mean that are not numbers.
     pub(in crate::scene) missing: Missing,
+    /// The most bytes that the samples may take in memory.
+    pub(in crate::scene) most_bytes: u64,
 }
 
 impl Wish<'_> {
+    /// Asks for room for so many samples. To be called before anything is taken for them, by what the header says.
+    pub(super) fn expect_room(&self, samples: usize) -> Result<(), Fault> {
+        let bytes = samples as u64 * size_of::<f32>() as u64;
+        if bytes <= self.most_bytes {
+            return Ok(());
+        }
+        Err((
+            format!(
+                "{samples} samples take {bytes} bytes of memory, and at most {} may be taken",
+                self.most_bytes
+            ),
+            "Crop it or take every other sample.",
+        ))
+    }
+
     /// Another file that the first one names.
     pub(super) fn read(&self, path: &Path) -> Result<Vec<u8>> {
         source::read_bytes(path)
@@ -149,5 +166,62 @@ impl Parts<'_> {
             )?,
             notices: self.notices,
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// 2 x 3 x 4 samples, 96 bytes in memory.
+    fn files() -> [(&'static str, Vec<u8>); 3] {
+        let words = "1 ".repeat(24);
+        let nrrd = format!(
+            "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 2 3 4\nencoding: ascii\n\n{words}"
+        );
+        let vti = format!(
+            "<VTKFile type=\"ImageData\"><ImageData WholeExtent=\"0 1 0 2 0 3\"><Piece><PointData><DataArray type=\"UInt8\" Name=\"a\" format=\"ascii\">{words}</DataArray></PointData></Piece></ImageData></VTKFile>"
+        );
+        // Places after nifti1.h: size, dimensions, type of samples, their distances and their place, magic.
+        let mut nifti = vec![1; 352 + 24];
+        nifti[..352].fill(0);
+        let mut put = |at: usize, bytes: &[u8]| nifti[at..at + bytes.len()].copy_from_slice(bytes);
+        put(0, &348_i32.to_le_bytes());
+        for (i, length) in [3_i16, 2, 3, 4].iter().enumerate() {
+            put(40 + 2 * i, &length.to_le_bytes());
+            put(76 + 4 * i, &1_f32.to_le_bytes());
+        }
+        put(70, &2_i16.to_le_bytes());
+        put(108, &352_f32.to_le_bytes());
+        put(344, b"n+1\0");
+        [
+            ("v.nrrd", nrrd.into_bytes()),
+            ("v.vti", vti.into_bytes()),
+            ("v.nii", nifti),
+        ]
+    }
+
+    #[test]
+    fn samples_that_would_take_too_much_memory_are_refused() {
+        let folder = tempfile::tempdir().unwrap();
+        for (name, bytes) in files() {
+            let path = folder.path().join(name);
+            std::fs::write(&path, bytes).unwrap();
+            let load_within = |most_bytes| {
+                let wish = Wish {
+                    array: None,
+                    missing: Missing::Empty,
+                    most_bytes,
+                };
+                load(&path, &wish)
+            };
+            assert_eq!(load_within(96).unwrap().volume.samples(), [1.0; 24]);
+            let refused = load_within(95).unwrap_err().to_string();
+            assert!(
+                refused.contains("24 samples take 96 bytes"),
+                "{name} {refused}"
+            );
+            assert!(refused.contains("at most 95"), "{name} {refused}");
+        }
     }
 }

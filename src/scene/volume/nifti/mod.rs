@@ -30,6 +30,8 @@ pub(super) fn read(path: &Path, bytes: &[u8], wish: &Wish) -> Result<Loaded> {
         Header::read(path, bytes)?
     };
     let layout = layout(path, &header)?;
+    wish.expect_room(layout.count())
+        .map_err(|fault| too_large(path, fault))?;
     let mut samples = if packed {
         unpack(path, bytes, &header, &layout)?
     } else {

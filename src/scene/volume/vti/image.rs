@@ -7,6 +7,7 @@ use super::block::{Block, Kind};
 use super::document::Document;
 use crate::error::Result;
 use crate::scene::volume::check;
+use crate::scene::volume::load::Wish;
 
 /// First and last index of the points along x, y and z.
 pub(super) type Extent = [i64; 6];
@@ -31,9 +32,10 @@ impl Image {
     }
 
     /// All of its samples.
-    pub(super) fn block(&self, document: &Document, kind: Kind) -> Result<Block> {
+    pub(super) fn block(&self, document: &Document, kind: Kind, wish: &Wish) -> Result<Block> {
         let block = kind.block(self.extent);
-        check::dims(block.dims()).map_err(|(what, remedy)| {
+        let checked = check::dims(block.dims()).and_then(|count| wish.expect_room(count));
+        checked.map_err(|(what, remedy)| {
             let what = match kind {
                 Kind::Points => what,
                 Kind::Cells => format!("{what}, in the middles of the cells"),

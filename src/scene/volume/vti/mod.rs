@@ -37,7 +37,7 @@ pub(super) fn read(path: &Path, bytes: &[u8], wish: &Wish) -> Result<Loaded> {
     let image = Image::read(&document, element)?;
     let first = first_piece(&document, element, &image)?;
     let (choice, notice) = arrays::choose(&document, first, "", wish)?;
-    let whole = image.block(&document, choice.kind)?;
+    let whole = image.block(&document, choice.kind, wish)?;
     let mut assembly = Assembly::of(whole);
     add_pieces(&document, root, &choice, &mut assembly)?;
     finish(&document, &image, whole, &choice, assembly, notice, wish)
@@ -51,7 +51,7 @@ pub(super) fn read_parallel(path: &Path, bytes: &[u8], wish: &Wish) -> Result<Lo
     let element = element(&document, root, "PImageData")?;
     let image = Image::read(&document, element)?;
     let (choice, notice) = arrays::choose(&document, element, "P", wish)?;
-    let whole = image.block(&document, choice.kind)?;
+    let whole = image.block(&document, choice.kind, wish)?;
     let mut assembly = Assembly::of(whole);
     let mut named = HashSet::new();
     for piece in children(element, "Piece") {
