@@ -62,13 +62,13 @@ impl Encoding {
             }
             Self::Gzip => {
                 let start = skip.of_stream(header)?;
-                let total = (start as u64).saturating_add(layout.bytes() as u64);
+                let total = start.saturating_add(layout.bytes() as u64);
                 if !gzip::can_hold(data.len(), total) {
                     expect(header, layout, 0)?;
                 }
                 room(header, layout, samples)?;
                 let mut unpacker = gzip::unpack(data);
-                let skipped = io::copy(&mut unpacker.by_ref().take(start as u64), &mut io::sink());
+                let skipped = io::copy(&mut unpacker.by_ref().take(start), &mut io::sink());
                 skipped.map_err(|error| damaged(header, &error))?;
                 let found = take(header, layout, unpacker, samples)?;
                 expect(header, layout, found)
