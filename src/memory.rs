@@ -104,6 +104,11 @@ impl Shortage {
         Error::usage(self.sentence(what), REMEDY)
     }
 
+    /// What is wrong and what to do, for an error that is laid to its place later.
+    pub(crate) fn words(self, what: impl fmt::Display) -> (String, &'static str) {
+        (self.sentence(what), REMEDY)
+    }
+
     fn sentence(self, what: impl fmt::Display) -> String {
         let (wanted, left) = (Bytes(self.wanted), Bytes(self.left));
         format!("{what} take {wanted} of memory, and no more than {left} may be taken")

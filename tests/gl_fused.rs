@@ -14,7 +14,9 @@ mod fog_plans;
 #[allow(dead_code)]
 mod fog_scenes;
 use fog_plans::{Plan, plans};
-use fog_scenes::{Random, fog_and_pane, fogs_and_panes, gradient, off, painted, random_scene};
+use fog_scenes::{
+    Random, fog_and_pane, fog_with_a_gap, fogs_and_panes, gradient, off, painted, random_scene,
+};
 #[path = "common/slack.rs"]
 #[allow(dead_code)]
 mod slack;
@@ -322,4 +324,19 @@ fn so_many_samples_that_the_driver_would_lose_some_are_refused() {
     let image = render(&context, &scene, DFB).image;
     let off = off(&scene, &image, f64::from(0.7_f32));
     assert!(off < BOUND, "{off}");
+}
+
+#[test]
+fn empty_samples_and_the_cells_around_them_are_not_seen() {
+    let context = Context::headless().unwrap();
+    let scene = fog_with_a_gap(0.02);
+    let frame = render(&context, &scene, DFB);
+    let sigma = f64::from(0.7_f32);
+    let off_half = off(&scene, &frame.image, sigma / 2.0);
+    // Two half steps, seen at 8 degrees at the most.
+    assert!(off_half < sigma * 1.01 * 0.01, "{off_half}");
+    assert!(
+        off(&scene, &frame.image, sigma) > 0.2,
+        "a gap would go unnoticed"
+    );
 }

@@ -28,7 +28,7 @@ mod slices;
 mod stack;
 use cast::cast;
 use fog_plans::plans;
-use fog_scenes::{fog_and_pane, gradient, off, random_scene};
+use fog_scenes::{fog_and_pane, fog_with_a_gap, gradient, off, random_scene};
 use slices::{Rule, SLICES, cast_slices};
 
 /// Where a slice is met is a depth of f32: with a near plane at 0.5, half of a last place of 1 is 6^2/0.5 x 2^-25 = 2e-6 at
@@ -409,4 +409,19 @@ fn volumes_around_and_behind_the_eye_are_sliced_from_the_near_plane_on() {
         .iter()
         .all(|p| p.to_array() == [0.0, 1.0, 0.0, 1.0]);
     assert!(none && frame.stats.fragments == 0, "{}", frame.stats);
+}
+
+#[test]
+fn empty_samples_and_the_cells_around_them_are_not_sliced() {
+    let context = Context::headless().unwrap();
+    let scene = fog_with_a_gap(0.5);
+    let frame = render(&context, &scene, &hybrid(), 200);
+    let sigma = f64::from(0.7_f32);
+    let off_half = off(&scene, &frame.image, sigma / 2.0);
+    // Two half slabs of 2/200, seen at 8 degrees at the most.
+    assert!(off_half < sigma * 1.01 * 0.01, "{off_half}");
+    assert!(
+        off(&scene, &frame.image, sigma) > 0.2,
+        "a gap would go unnoticed"
+    );
 }

@@ -15,7 +15,7 @@ mod fog;
 mod fog_scenes;
 use cast::cast;
 use fog::cast_fog;
-use fog_scenes::{fog_and_pane, fogs_and_panes, off, random_scene};
+use fog_scenes::{fog_and_pane, fog_with_a_gap, fogs_and_panes, off, random_scene};
 
 /// Depths are f32: with a near plane at 0.5, half of a last place of 1 is 6^2/0.5 x 2^-25 = 2e-6 at a distance of 6, times
 /// densities of up to 4 between colours that differ by up to 1. The issue that asked for exactness allows 1e-4.
@@ -199,4 +199,16 @@ fn the_bundled_scene_shows_its_fog_its_vortex_and_its_ring() {
     assert!(changed(&without) > 1000);
     scene.meshes.clear();
     assert!(changed(&scene) > 1000);
+}
+
+#[test]
+fn empty_samples_and_the_cells_around_them_are_not_seen() {
+    let context = Context::headless().unwrap();
+    let scene = fog_with_a_gap(0.02);
+    let image = exact(&context, &scene);
+    let sigma = f64::from(0.7_f32);
+    let off_half = off(&scene, &image, sigma / 2.0);
+    // Two half steps, seen at 8 degrees at the most.
+    assert!(off_half < sigma * 1.01 * 0.01, "{off_half}");
+    assert!(off(&scene, &image, sigma) > 0.2, "a gap would go unnoticed");
 }

@@ -75,13 +75,6 @@ fn vti_with_bad_attributes() {
     );
     field(
         Vti {
-            array: r#"NumberOfComponents="3""#,
-            ..Vti::default()
-        },
-        "NumberOfComponents",
-    );
-    field(
-        Vti {
             array: r#"offset="99999""#,
             ..Vti::default()
         },
@@ -112,7 +105,10 @@ fn vti_with_bad_data() {
     let vti = Vti::default();
     bad("v.vti", &vti.inline("ascii", "1 2 3")).says("3 numbers");
     bad("v.vti", &vti.inline("ascii", "1 2 three")).says("not a number");
-    bad("v.vti", &vti.inline("binary", "!!!!")).says("base64");
+    for text in ["!!!!", "=", "=AAA", "====", "A===", " =\n", "GAAAAA==="] {
+        bad("v.vti", &vti.inline("binary", text)).says("base64");
+        bad("v.vti", &vti.appended("base64", text.as_bytes())).says("base64");
+    }
     bad("v.vti", &vti.inline("binary", "")).says("0 bytes");
     bad("v.vti", &vti.inline("hex", "00")).says("hex");
     bad("v.vti", &vti.appended("hex", &vti.counted(&[0; 24]))).says("hex");
@@ -125,7 +121,18 @@ fn vti_with_bad_data() {
         "</DataArray></PointData>",
         &format!("{}</DataArray></PointData>", base64(&[0; 28])),
     );
-    bad("v.vti", other.as_bytes()).says("vtkLZ4DataCompressor");
+    bad("v.vti", other.as_bytes())
+        .says("vtkLZ4DataCompressor")
+        .says("version 1.0")
+        .says("LZ4");
+    // Numbers in ASCII are not packed, whatever else would be.
+    let words: Vec<String> = (0..24).map(|i| i.to_string()).collect();
+    let ascii = String::from_utf8(vti.inline("ascii", &words.join(" "))).unwrap();
+    let ascii = ascii.replace(
+        "header_type",
+        "compressor=\"vtkLZ4DataCompressor\" header_type",
+    );
+    assert_eq!(read("v.vti", ascii.as_bytes()).samples()[23], 23.0);
     let packed = Vti {
         packed: true,
         ..Vti::default()

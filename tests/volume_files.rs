@@ -145,7 +145,7 @@ fn nrrd_stands_where_its_header_says() {
         [1.0, 2.0, 3.0],
         [0.5, 4.0, -3.0],
     );
-    let directions = "space: left-posterior-superior\nspace directions: (0,2,0) (-1, 0, 0) (0.5,0,3)\nspace origin: (10,20,30)\n";
+    let directions = "space directions: (0,2,0) (-1, 0, 0) (0.5,0,3)\nspace origin: (10,20,30)\n";
     stands(&with(directions), [0.0; 3], [10.0, 20.0, 30.0]);
     stands(&with(directions), [1.0, 2.0, 2.0], [9.0, 22.0, 36.0]);
 }
@@ -256,13 +256,69 @@ fn nifti_stands_where_its_header_says() {
 
 #[test]
 fn nifti_values_are_scaled_as_the_header_asks() {
-    let header = Nifti {
-        scale: [0.5, -3.0],
-        ..Nifti::default()
-    };
-    let data: Vec<u8> = (0..24).collect();
-    let volume = read("v.nii", &[header.bytes(), data].concat());
-    assert_eq!(volume.samples()[23], 8.5);
+    let (nan, inf) = (f32::NAN, f32::INFINITY);
+    // What the value 23 becomes, and what is said.
+    for (scale, last, says) in [
+        ([0.5, -3.0], 8.5, None),
+        ([-1.0, 0.0], -23.0, None),
+        ([1.0, 2.0], 25.0, None),
+        ([0.0, 5.0], 23.0, None),
+        ([nan, nan], 23.0, Some("`scl_slope` is NaN")),
+        ([nan, 5.0], 23.0, Some("`scl_slope` is NaN")),
+        ([inf, 0.0], 23.0, Some("`scl_slope` is inf")),
+        ([-inf, inf], 23.0, Some("`scl_slope` is -inf")),
+        ([2.0, nan], 46.0, Some("`scl_inter` is NaN")),
+        ([2.0, -inf], 46.0, Some("`scl_inter` is -inf")),
+        ([1.0, nan], 23.0, Some("`scl_inter` is NaN")),
+    ] {
+        let one = Nifti {
+            scale,
+            ..Nifti::default()
+        };
+        let two = one.bytes_of_version_2();
+        for header in [one.bytes(), two] {
+            let file = [header, (0..24).collect()].concat();
+            let scene = load_scene(&[("v.nii", &file)]).unwrap();
+            assert_eq!(scene.volumes[0].samples()[23], last, "{scale:?}");
+            let notices = &scene.notices;
+            match says {
+                None => assert!(notices.is_empty(), "{scale:?} {notices:?}"),
+                Some(words) => assert!(notices[0].contains(words), "{scale:?} {notices:?}"),
+            }
+        }
+    }
+}
+
+#[test]
+fn nifti_2_is_read_as_nifti_1() {
+    let rows = [
+        [0.0, 2.0, 0.0, 1.0],
+        [1.0, 0.0, 0.0, 2.0],
+        [0.0, 0.5, 4.0, 3.0],
+    ];
+    for is_big in [false, true] {
+        for (qform, sform) in [
+            (None, None),
+            (Some([1.0, 0.0, 0.0, 10.0, 20.0, 30.0]), None),
+            (None, Some(rows)),
+        ] {
+            let header = Nifti {
+                is_big,
+                datatype: 2,
+                pixdim: [-1.0, 0.5, 2.0, 3.0],
+                qform,
+                sform,
+                ..Nifti::default()
+            };
+            let data: Vec<u8> = (0..24).collect();
+            let one = read("v.nii", &[header.bytes(), data.clone()].concat());
+            let file = [header.bytes_of_version_2(), data].concat();
+            for two in [read("v.nii", &file), read("v.nii.gz", &gzip(&file))] {
+                assert_eq!(two.samples(), counting());
+                assert_eq!(two.index_to_world(), one.index_to_world());
+            }
+        }
+    }
 }
 
 #[test]

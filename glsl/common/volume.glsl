@@ -18,6 +18,12 @@ layout(binding = 7) uniform sampler3D samples[VOLUMES];
 // POINTS of each volume, two texels each: value and density; colour. The points after the last repeat it at infinity.
 layout(binding = 6) uniform samplerBuffer transfer;
 
+// Less than every value; in the place of the samples that are empty. A cell with one of them has no value.
+#define EMPTY -3e38
+bool is_empty(float value) {
+    return value < -2e38;
+}
+
 // Between the eight samples around an index.
 float value_at(sampler3D lattice, vec3 index, vec3 last) {
     index = clamp(index, vec3(0.0), last);
@@ -35,13 +41,20 @@ float value_at(sampler3D lattice, vec3 index, vec3 last) {
         texelFetch(lattice, cell + ivec3(1, 0, 1), 0).r,
         texelFetch(lattice, cell + ivec3(1, 1, 1), 0).r
     );
+    vec4 low = min(from, to);
+    if (is_empty(min(min(low.x, low.y), min(low.z, low.w)))) {
+        return EMPTY;
+    }
     vec4 along_x = from + (to - from) * part.x;
     vec2 along_y = along_x.xz + (along_x.yw - along_x.xz) * part.y;
     return along_y.x + (along_y.y - along_y.x) * part.z;
 }
 
-// Colour x density, and density: linear between the two points around a value.
+// Colour x density, and density: linear between the two points around a value; nothing of what is empty.
 vec4 medium_of(int volume, float value) {
+    if (is_empty(value)) {
+        return vec4(0.0);
+    }
     int first = 2 * POINTS * volume;
     int at = 0;    // the last point that is not above the value
 #define H(half) at += texelFetch(transfer, first + 2 * (at + half)).r <= value ? half : 0;

@@ -1,5 +1,7 @@
 //! A scene's volumes in the driver's memory, for the shaders of fused rendering and for slices.
 
+use std::borrow::Cow;
+
 use glam::{DMat3, DVec3};
 use glow::HasContext;
 
@@ -163,7 +165,8 @@ impl VolumeTextures<'_> {
                 gl.tex_storage_3d(glow::TEXTURE_3D, 1, glow::R32F, width, height, depth);
             });
             if room.is_ok() {
-                let samples = bytemuck::cast_slice(volume.samples());
+                let samples = texels(volume);
+                let samples = bytemuck::cast_slice(&samples);
                 let samples = glow::PixelUnpackData::Slice(Some(samples));
                 gl.tex_sub_image_3d(
                     glow::TEXTURE_3D,
@@ -186,6 +189,19 @@ impl VolumeTextures<'_> {
         self.bytes += bytes;
         Ok(())
     }
+}
+
+/// In the place of an empty sample: less than every value that a sample may have, as `volume.glsl` knows it. Shaders need
+/// not know what NaN is.
+const EMPTY: f32 = -3e38;
+
+/// The samples as the texture has them.
+fn texels(volume: &Volume) -> Cow<'_, [f32]> {
+    if !volume.has_empty() {
+        return Cow::Borrowed(volume.samples());
+    }
+    let texel = |&sample: &f32| if sample.is_nan() { EMPTY } else { sample };
+    Cow::Owned(volume.samples().iter().map(texel).collect())
 }
 
 /// `count` points of eight numbers, as `volume.glsl` reads them: the last one again and again at infinity.

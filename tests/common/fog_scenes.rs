@@ -73,6 +73,20 @@ pub fn fogs_and_panes() -> Vec<(String, Scene)> {
     scenes
 }
 
+/// The cube of fog with nothing in its middle half: of its five layers of samples the third is empty, and with it the cells
+/// on both sides. What is left is as clear as fog half as dense through and through, up to the steps (of `step` voxels, half
+/// a unit each) at the gap's two borders, which belong to the side that their middles are on: half a step each.
+pub fn fog_with_a_gap(step: f64) -> Scene {
+    let mut scene = fog_and_pane(5.0, 2.0, 0.0, step);
+    let layers = (0..125).map(|i| if i / 25 == 2 { f32::NAN } else { 0.7 });
+    let mut place = DAffine3::from_scale(DVec3::splat(0.5));
+    place.translation = DVec3::splat(-1.0);
+    let mut fog = Volume::new("gap", [5; 3], layers.collect(), place).unwrap();
+    fog.step = step;
+    scene.volumes = vec![fog.with_transfer(painted([1.0, 0.0, 0.0]))];
+    scene
+}
+
 /// A cube in which density and colour change along z, from 0 and blue to 3 and red.
 pub fn gradient() -> Scene {
     let mut scene = fog_and_pane(5.0, 2.0, 0.0, 1.0);

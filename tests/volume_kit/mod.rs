@@ -13,8 +13,13 @@ use crate::scene_kit::{Folder, Refused, refused};
 
 /// The scene of a volume: the first file is the one that is named, the others lie beside it.
 pub fn load_scene(files: &[(&str, &[u8])]) -> Result<Scene, Error> {
+    load_scene_with("", files)
+}
+
+/// The same with more keys of the volume.
+pub fn load_scene_with(keys: &str, files: &[(&str, &[u8])]) -> Result<Scene, Error> {
     let scene = format!(
-        "[[volume]]\nfile = \"{}\"\ntransfer = [{{ value = 0, color = [1, 1, 1], density = 1 }}]\n",
+        "[[volume]]\n{keys}\nfile = \"{}\"\ntransfer = [{{ value = 0, color = [1, 1, 1], density = 1 }}]\n",
         files[0].0
     );
     let mut folder = Folder::new().with("scene.toml", scene);
@@ -46,6 +51,19 @@ pub fn bad(name: &str, bytes: &[u8]) -> Refused {
 pub fn gzip(bytes: &[u8]) -> Vec<u8> {
     let mut encoder = GzEncoder::new(Vec::new(), Compression::default());
     encoder.write_all(bytes).unwrap();
+    encoder.finish().unwrap()
+}
+
+/// The same of a head and so many zeros, which are never all there.
+pub fn gzip_with_zeros(head: &[u8], zeros: usize) -> Vec<u8> {
+    let mut encoder = GzEncoder::new(Vec::new(), Compression::default());
+    encoder.write_all(head).unwrap();
+    let mut left = zeros;
+    while left > 0 {
+        let piece = left.min(1 << 14);
+        encoder.write_all(&[0; 1 << 14][..piece]).unwrap();
+        left -= piece;
+    }
     encoder.finish().unwrap()
 }
 
@@ -126,6 +144,44 @@ impl Nifti {
             }
         }
         bytes[344..348].copy_from_slice(&self.magic);
+        bytes
+    }
+
+    /// The same as NIfTI-2, the samples behind it. Places after the standard's nifti2.h.
+    pub fn bytes_of_version_2(&self) -> Vec<u8> {
+        let mut bytes = vec![0; 544];
+        let mut put = |at: usize, little: &[u8]| {
+            let mut value = little.to_vec();
+            if self.is_big {
+                value.reverse();
+            }
+            bytes[at..at + value.len()].copy_from_slice(&value);
+        };
+        let wide = |number: f32| f64::from(number).to_le_bytes();
+        put(0, &540_i32.to_le_bytes());
+        put(12, &self.datatype.to_le_bytes());
+        for (i, length) in self.dim.iter().enumerate() {
+            put(16 + 8 * i, &i64::from(*length).to_le_bytes());
+        }
+        for (i, size) in self.pixdim.iter().enumerate() {
+            put(104 + 8 * i, &wide(*size));
+        }
+        put(168, &544_i64.to_le_bytes());
+        put(176, &wide(self.scale[0]));
+        put(184, &wide(self.scale[1]));
+        if let Some(numbers) = self.qform {
+            put(344, &1_i32.to_le_bytes());
+            for (i, number) in numbers.iter().enumerate() {
+                put(352 + 8 * i, &wide(*number));
+            }
+        }
+        if let Some(rows) = self.sform {
+            put(348, &1_i32.to_le_bytes());
+            for (i, number) in rows.as_flattened().iter().enumerate() {
+                put(400 + 8 * i, &wide(*number));
+            }
+        }
+        bytes[4..12].copy_from_slice(b"n+2\0\r\n\x1a\n");
         bytes
     }
 }

@@ -22,6 +22,12 @@ pub(super) struct Keys<'a> {
     span: Range<usize>,
 }
 
+/// A value that is a number, or a word that stands for something else.
+pub(super) enum NumberOrWord {
+    Number(f64),
+    Word,
+}
+
 const THREE: &str = "three numbers, as in [0.5, 0.5, 0.5]";
 
 impl<'a> Keys<'a> {
@@ -70,6 +76,20 @@ impl<'a> Keys<'a> {
     /// A number within limits.
     pub(super) fn number(&self, key: &'a str, limits: &Limits) -> Result<Option<f64>> {
         self.read(key, |value| value.number(limits))
+    }
+
+    /// A number within limits, or the one word that stands for something that is none.
+    pub(super) fn number_or_word(
+        &self,
+        key: &'a str,
+        limits: &Limits,
+        word: &str,
+    ) -> Result<Option<NumberOrWord>> {
+        self.read(key, |value| match value.get().as_str() {
+            Some(text) if text == word => Ok(NumberOrWord::Word),
+            Some(_) => Err(value.mistyped(&format!("\"{word}\" or {}", limits.words))),
+            None => value.number(limits).map(NumberOrWord::Number),
+        })
     }
 
     /// The same as 32 bits.

@@ -22,7 +22,9 @@
 //! transform = { scale = 2.0, rotate = { axis = [0, 1, 0], degrees = 30 }, translate = [0, 1, 0] }
 //!
 //! [[volume]]
-//! file = "potential.nhdr"          # .nrrd, .nhdr, .nii, .nii.gz, .vti; or: generate = "ball" and its parameters
+//! file = "potential.nhdr"          # .nrrd, .nhdr, .nii, .nii.gz, .vti, .pvti; or: generate = "ball" and its parameters
+//! array = "phi"                    # of a file with several (.vti, .pvti); left out: its active scalars, or its first ones
+//! nan = "empty"                    # what samples mean that are not numbers: "empty" (no density around them), or a number
 //! step = 0.5                       # sampling distance in voxels
 //! transfer = [                     # see Transfer; in the order of the values
 //!   { value = 0.0, color = [1.0, 1.0, 1.0], density = 0.0 },
@@ -47,6 +49,9 @@
 //! from = 100                       # from this frame on ...
 //! sources = ["potential"]          # ... only what has one of these names
 //! ```
+//!
+//! Volumes of patients stand in right-anterior-superior axes (RAS): NIfTI files always, NRRD files whose `space` is
+//! anatomical, which are turned if they have other axes. All other files, and meshes always, stay in their own axes.
 //!
 //! A transform scales first (by one factor or by three), then rotates about the origin, then moves.
 

@@ -2,11 +2,11 @@
 
 use std::path::Path;
 
-use super::keys::Keys;
+use super::keys::{Keys, NumberOrWord};
 use super::limits::{ANY, DENSITY, FRACTION, STEP};
 use super::{transform, volume_generator};
 use crate::error::{Error, Result};
-use crate::scene::volume::{self, Transfer, TransferPoint, Volume};
+use crate::scene::volume::{self, Missing, Transfer, TransferPoint, Volume, Wish};
 
 /// All volumes of a file, in its order.
 #[derive(Default)]
@@ -33,6 +33,8 @@ impl NamedVolume {
 
 /// The keys of every volume, wherever it comes from.
 const COMMON: [&str; 5] = ["name", "hidden", "step", "transfer", "transform"];
+/// Those of a volume from a file.
+const OF_FILES: [&str; 3] = ["file", "array", "nan"];
 /// The most samples that one scene file generates: 2 GiB of them.
 const MOST_GENERATED: u64 = volume::MAX_SAMPLES;
 
@@ -49,10 +51,11 @@ pub(super) fn load_all(top: &Keys) -> Result<Loaded> {
             }
             (None, None) => return Err(without_samples(&keys)),
             (Some(file), None) => {
-                keys.expect_only(&[&["file"], &COMMON[..]].concat())?;
+                keys.expect_only(&[&OF_FILES[..], &COMMON].concat())?;
                 let look = Look::read(&keys)?;
+                let wish = wish(&keys)?;
                 let folder = keys.document.path.parent().unwrap_or(Path::new(""));
-                let read = volume::load(&folder.join(file), keys.document.memory)?;
+                let read = volume::load(&folder.join(file), &wish)?;
                 loaded.notices.extend(read.notices);
                 look.give(&keys, read.volume)?
             }
@@ -79,7 +82,7 @@ pub(super) fn load_all(top: &Keys) -> Result<Loaded> {
 
 fn without_samples(keys: &Keys) -> Error {
     // A misspelt key is the likelier mistake.
-    let known = [&["file", "generate"], &COMMON[..]].concat();
+    let known = [&OF_FILES[..], &["generate"], &COMMON].concat();
     keys.expect_only(&known).err().unwrap_or_else(|| {
         let names = volume_generator::names();
         keys.wrong(
@@ -87,6 +90,18 @@ fn without_samples(keys: &Keys) -> Error {
             "a volume without samples",
             format!("Give `file = \"volume.nhdr\"`, or `generate` with one of: {names}."),
         )
+    })
+}
+
+/// What is asked of the reader.
+fn wish<'a>(keys: &Keys<'a>) -> Result<Wish<'a>> {
+    Ok(Wish {
+        array: keys.text("array")?,
+        missing: match keys.number_or_word("nan", &ANY, "empty")? {
+            Some(NumberOrWord::Number(value)) => Missing::Value(value as f32),
+            Some(NumberOrWord::Word) | None => Missing::Empty,
+        },
+        memory: keys.document.memory,
     })
 }
 

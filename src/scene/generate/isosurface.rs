@@ -3,7 +3,7 @@
 //! By marching tetrahedra: every cell of the lattice is cut into the six tetrahedra around its diagonal from (0, 0, 0) to
 //! (1, 1, 1), and every tetrahedron with samples on both sides of the value gives one triangle or two. Neighbouring cells
 //! cut their common face alike and a tetrahedron has no ambiguous case, so there are no cracks: the surface is closed but
-//! for where it leaves the proxy box.
+//! for where it leaves the proxy box and where it meets empty cells, which have no value and no surface.
 //!
 //! It is our own because no crate found gives as much: mcubes shares no corner between triangles, so that nothing is closed;
 //! fast-surface-nets puts its corners beside the surface; ferreus_rmt follows the surface from points that one has to know;
@@ -137,8 +137,11 @@ impl Isosurface<'_> {
             for y in 0..ny - 1 {
                 for x in 0..nx - 1 {
                     let first = self.offset([x, y, z]);
-                    let inside = offsets.map(|offset| samples[first + offset] >= self.value);
-                    if inside.iter().all(|&it| it == inside[0]) {
+                    let corners = offsets.map(|offset| samples[first + offset]);
+                    let inside = corners.map(|sample| sample >= self.value);
+                    if inside.iter().all(|&it| it == inside[0])
+                        || corners.iter().any(|sample| sample.is_nan())
+                    {
                         continue;
                     }
                     for (corners, right_handed) in TETRAHEDRA {
@@ -185,7 +188,7 @@ impl Isosurface<'_> {
         let [start, end] = places.map(|place| DVec3::from_array(place.map(|i| i as f64)));
         let index = start.lerp(end, (f64::from(self.value) - from) / (to - from));
         let to_world = self.volume.index_to_world();
-        let uphill = self.volume.world_to_index().matrix3.transpose() * self.gradient(index);
+        let uphill = self.volume.world_to_index().matrix3.transpose() * self.gradient(cell, index);
         Vertex {
             position: to_world.transform_point3(index),
             normal: (-uphill).normalize_or(DVec3::Z).as_vec3(),
@@ -193,11 +196,39 @@ impl Isosurface<'_> {
         }
     }
 
-    /// By central differences over two samples.
-    fn gradient(&self, index: DVec3) -> DVec3 {
+    /// By central differences over two samples, or, beside empty cells, of the cell that the place is in.
+    fn gradient(&self, cell: [usize; 3], index: DVec3) -> DVec3 {
         let along =
             |axis: DVec3| self.volume.at_index(index + axis) - self.volume.at_index(index - axis);
-        DVec3::new(along(DVec3::X), along(DVec3::Y), along(DVec3::Z))
+        let gradient = DVec3::new(along(DVec3::X), along(DVec3::Y), along(DVec3::Z));
+        if gradient.is_nan() {
+            return self.gradient_within(cell, index);
+        }
+        gradient
+    }
+
+    /// The derivatives of what is interpolated between a cell's corners, at a place in it.
+    fn gradient_within(&self, cell: [usize; 3], index: DVec3) -> DVec3 {
+        let first = DVec3::from_array(cell.map(|i| i as f64));
+        let part = index - first;
+        let mut gradient = DVec3::ZERO;
+        for number in 0..8 {
+            let sample = f64::from(self.volume.samples()[self.offset(corner(cell, number))]);
+            let is_far: [bool; 3] = std::array::from_fn(|axis| number >> axis & 1 == 1);
+            let weight = |axis: usize| {
+                if is_far[axis] {
+                    part[axis]
+                } else {
+                    1.0 - part[axis]
+                }
+            };
+            for axis in 0..3 {
+                let sign = if is_far[axis] { 1.0 } else { -1.0 };
+                let others = weight((axis + 1) % 3) * weight((axis + 2) % 3);
+                gradient[axis] += sign * others * sample;
+            }
+        }
+        gradient
     }
 }
 

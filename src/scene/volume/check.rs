@@ -2,7 +2,7 @@
 
 use glam::DAffine3;
 
-use super::MAX_SAMPLES;
+use super::{LARGEST, MAX_SAMPLES};
 
 /// What is wrong, and what to do.
 pub(super) type Fault = (String, &'static str);
@@ -15,13 +15,21 @@ pub(super) fn dims(dims: [usize; 3]) -> Result<usize, Fault> {
             "Give a volume with at least 2 samples along each axis.",
         ));
     }
+    count_of(dims)
+}
+
+/// How many samples there are, if they are not too many.
+pub(super) fn count_of(dims: [usize; 3]) -> Result<usize, Fault> {
     let count = dims.into_iter().try_fold(1_u64, |product, count| {
         product.checked_mul(u64::try_from(count).ok()?)
     });
     match count {
         Some(count) if count <= MAX_SAMPLES => Ok(count as usize),
         _ => Err((
-            format!("{} are more than {MAX_SAMPLES} samples", shown(dims)),
+            format!(
+                "{} are more than {MAX_SAMPLES} samples, the most that are read",
+                shown(dims)
+            ),
             "Crop it or take every other sample.",
         )),
     }
@@ -38,16 +46,13 @@ pub(super) fn count(dims: [usize; 3], found: usize) -> Result<(), Fault> {
     ))
 }
 
-/// A value that is not a number has no colour, and those around it would have none either.
+/// NaN is empty; what is too large would take what is computed of it out of range.
 pub(super) fn samples(samples: &[f32]) -> Result<(), Fault> {
-    match samples.iter().position(|sample| !sample.is_finite()) {
+    match samples.iter().position(|sample| sample.abs() > LARGEST) {
         None => Ok(()),
         Some(place) => Err((
-            format!(
-                "its sample number {place} is {}, as 32 bits",
-                samples[place]
-            ),
-            "Replace what is not a finite number by a value that is transparent.",
+            format!("its sample number {place} is {:e}", samples[place]),
+            "Give samples from -1e38 to 1e38, or NaN for one that is empty.",
         )),
     }
 }

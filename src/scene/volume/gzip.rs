@@ -1,4 +1,4 @@
-//! Unpacking no more than is needed.
+//! Packed bytes.
 
 use std::io::Read;
 
@@ -12,22 +12,17 @@ pub(super) fn can_hold(packed: usize, wanted: u64) -> bool {
     wanted <= (packed as u64).saturating_mul(BEST_RATIO)
 }
 
-/// Unpacks gzip's `wanted` first bytes, or all there are if they are fewer. What does not unpack is said.
-pub(super) fn unpack(packed: &[u8], wanted: usize) -> Result<Vec<u8>, String> {
-    read(MultiGzDecoder::new(packed), wanted)
+/// Whether these bytes are gzip's.
+pub(super) fn is_gzip(bytes: &[u8]) -> bool {
+    bytes.starts_with(&[0x1f, 0x8b])
 }
 
-/// The same for zlib.
-pub(super) fn unpack_zlib(packed: &[u8], wanted: usize) -> Result<Vec<u8>, String> {
-    read(ZlibDecoder::new(packed), wanted)
+/// Unpacks gzip while it is read.
+pub(super) fn unpack(packed: &[u8]) -> impl Read + '_ {
+    MultiGzDecoder::new(packed)
 }
 
-/// Grows with what is really there: a header's word is not taken for it.
-fn read(unpacker: impl Read, wanted: usize) -> Result<Vec<u8>, String> {
-    let mut bytes = Vec::new();
-    let read = unpacker.take(wanted as u64).read_to_end(&mut bytes);
-    match read {
-        Ok(_) => Ok(bytes),
-        Err(error) => Err(error.to_string()),
-    }
+/// Unpacks zlib while it is read.
+pub(super) fn unpack_zlib(packed: &[u8]) -> impl Read + '_ {
+    ZlibDecoder::new(packed)
 }

@@ -1,11 +1,11 @@
 //! A volume from a file, by its ending.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use glam::DAffine3;
 
 use super::check::{self, Fault};
-use super::samples::{Endian, SampleType};
+use super::missing::{self, Missing};
 use super::{Volume, nifti, nrrd, vti};
 use crate::error::{Error, Place, Result};
 use crate::memory::MemoryLimit;
@@ -18,71 +18,206 @@ pub(in crate::scene) struct Loaded {
     pub(in crate::scene) notices: Vec<String>,
 }
 
+/// What is asked of a reader besides the file.
+#[derive(Clone, Debug)]
+pub(in crate::scene) struct Wish<'a> {
+    /// Of files with several arrays, the one that is wanted.
+    pub(in crate::scene) array: Option<&'a str>,
+    /// What samples mean that are not numbers.
+    pub(in crate::scene) missing: Missing,
+    /// What files and samples may take.
+    pub(in crate::scene) memory: &'a MemoryLimit,
+}
+
+impl Wish<'_> {
+    /// Asks for room for so many samples. To be called before anything is taken for them, by what the header says.
+    pub(super) fn expect_room(&self, samples: usize) -> Result<(), Fault> {
+        let bytes = samples as u64 * size_of::<f32>() as u64;
+        let room = self.memory.take(bytes);
+        room.map_err(|shortage| shortage.words(format_args!("{samples} samples")))
+    }
+
+    /// Another file that the first one names.
+    pub(super) fn read(&self, path: &Path) -> Result<Vec<u8>> {
+        source::read_bytes(path, self.memory)
+    }
+}
+
 /// The endings that are read, for messages.
-pub(super) const ENDINGS: &str = ".nrrd, .nhdr, .nii, .nii.gz, .vti";
+pub(super) const ENDINGS: &str = ".nrrd, .nhdr, .nii, .nii.gz, .vti, .pvti";
+
+/// Endings of volumes that are not read, and what they are.
+const UNREAD: [(&str, &str, &str); 12] = [
+    (
+        ".hdr",
+        "the header of a NIfTI-1 or ANALYZE 7.5 pair (.hdr and .img)",
+        ".nii",
+    ),
+    (
+        ".img",
+        "the samples of a NIfTI-1 or ANALYZE 7.5 pair (.hdr and .img)",
+        ".nii",
+    ),
+    (
+        ".hdr.gz",
+        "the header of a packed NIfTI-1 pair (.hdr.gz and .img.gz)",
+        ".nii.gz",
+    ),
+    (
+        ".img.gz",
+        "the samples of a packed NIfTI-1 pair (.hdr.gz and .img.gz)",
+        ".nii.gz",
+    ),
+    (".mhd", "a MetaImage header", ".nhdr"),
+    (".mha", "a MetaImage", ".nrrd"),
+    (".dcm", "a DICOM slice", ".nrrd"),
+    (".mgz", "a packed volume of FreeSurfer", ".nii.gz"),
+    (".mgh", "a volume of FreeSurfer", ".nii"),
+    (".mnc", "a MINC volume", ".nii"),
+    (".vtk", "a file in VTK's legacy format", ".vti"),
+    (".vtr", "a rectilinear grid of VTK", ".vti"),
+];
 
 /// Reads a volume. Nothing is allocated that the file's own size does not account for: what a header promises is held
 /// against the bytes that are there first.
-pub(in crate::scene) fn load(path: &Path, memory: &MemoryLimit) -> Result<Loaded> {
+pub(in crate::scene) fn load(path: &Path, wish: &Wish) -> Result<Loaded> {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let name = name.to_ascii_lowercase();
     let ends = |ending: &str| name.ends_with(ending);
     if ends(".nrrd") || ends(".nhdr") {
-        nrrd::read(path, &source::read_bytes(path, memory)?, memory)
+        expect_no_array(path, wish)?;
+        nrrd::read(path, &wish.read(path)?, wish)
     } else if ends(".nii") || ends(".nii.gz") {
-        nifti::read(path, &source::read_bytes(path, memory)?)
+        expect_no_array(path, wish)?;
+        nifti::read(path, &wish.read(path)?, wish)
     } else if ends(".vti") {
-        vti::read(path, &source::read_bytes(path, memory)?)
+        vti::read(path, &wish.read(path)?, wish)
+    } else if ends(".pvti") {
+        vti::read_parallel(path, &wish.read(path)?, wish)
     } else {
-        Err(Error::input(
-            Place::file(path),
-            "this is not a volume that can be read",
+        Err(unread(path, &name))
+    }
+}
+
+fn unread(path: &Path, name: &str) -> Error {
+    let known = UNREAD.iter().find(|(ending, ..)| name.ends_with(ending));
+    let (what, remedy) = match known {
+        None => (
+            "this is not a volume that can be read".to_owned(),
             format!("Give one of {ENDINGS}."),
-        ))
-    }
+        ),
+        Some((_, what, instead)) => (
+            format!("this is {what}, which is not read"),
+            format!("Convert it to {instead}; known are {ENDINGS}."),
+        ),
+    };
+    Error::input(Place::file(path), what, remedy)
 }
 
-/// What a header says about its samples.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Layout {
+fn expect_no_array(path: &Path, wish: &Wish) -> Result<()> {
+    let Some(array) = wish.array else {
+        return Ok(());
+    };
+    Err(Error::input(
+        Place::file(path),
+        format!("there is one array without a name in this file; '{array}' is asked for"),
+        "Take out `array`; only VTK's images (.vti, .pvti) have several arrays.",
+    ))
+}
+
+/// Where a file lies that another one names: paths start at the folder of the one that names it.
+pub(super) fn beside(path: &Path, name: &str) -> PathBuf {
+    path.parent().unwrap_or(Path::new("")).join(name)
+}
+
+/// Samples that have been read, and all that makes a volume of them.
+pub(super) struct Parts<'a> {
+    pub(super) path: &'a Path,
     pub(super) dims: [usize; 3],
-    pub(super) stored: SampleType,
-    pub(super) endian: Endian,
+    pub(super) samples: Vec<f32>,
+    pub(super) index_to_world: DAffine3,
+    /// The field that places the samples.
+    pub(super) placed_by: Place,
+    pub(super) notices: Vec<String>,
 }
 
-impl Layout {
-    /// Bytes of all samples. The dims have been checked, so that this stays in range.
-    pub(super) fn bytes(&self) -> usize {
-        self.dims.iter().product::<usize>() * self.stored.size()
-    }
-
-    /// There must be at least so many bytes as the samples take.
-    pub(super) fn expect(&self, found: usize) -> Result<(), Fault> {
-        if found >= self.bytes() {
-            return Ok(());
+impl Parts<'_> {
+    /// Builds the volume; what is wrong with its placement is laid to the field that it comes from.
+    pub(super) fn finish(mut self, wish: &Wish) -> Result<Loaded> {
+        let wrong = |(what, remedy): Fault| Error::input(self.placed_by, what, remedy);
+        check::placement(&self.index_to_world).map_err(wrong)?;
+        if let Some(sentence) = missing::replace(&mut self.samples, wish.missing) {
+            self.notices
+                .push(format!("{}: {sentence}", self.path.display()));
         }
-        let [x, y, z] = self.dims;
-        Err((
-            format!(
-                "{x} x {y} x {z} samples of {} bytes are {} bytes, but there are {found}",
-                self.stored.size(),
-                self.bytes()
-            ),
-            "The file is cut off, or its header belongs to another one: get it again.",
-        ))
+        Ok(Loaded {
+            volume: Volume::new(
+                stem(self.path),
+                self.dims,
+                self.samples,
+                self.index_to_world,
+            )?,
+            notices: self.notices,
+        })
     }
 }
 
-/// Builds a volume; what is wrong with samples or placement is laid to the field that they come from.
-pub(super) fn finish(
-    path: &Path,
-    dims: [usize; 3],
-    samples: Vec<f32>,
-    placement: DAffine3,
-    [data, place]: [Place; 2],
-) -> Result<Volume> {
-    let wrong = |place: Place| move |(what, remedy): Fault| Error::input(place, what, remedy);
-    check::samples(&samples).map_err(wrong(data))?;
-    check::placement(&placement).map_err(wrong(place))?;
-    Volume::new(stem(path), dims, samples, placement)
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// 2 x 3 x 4 samples, 96 bytes in memory.
+    fn files() -> [(&'static str, Vec<u8>); 3] {
+        let words = "1 ".repeat(24);
+        let nrrd = format!(
+            "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 2 3 4\nencoding: ascii\n\n{words}"
+        );
+        let vti = format!(
+            "<VTKFile type=\"ImageData\"><ImageData WholeExtent=\"0 1 0 2 0 3\"><Piece><PointData><DataArray type=\"UInt8\" Name=\"a\" format=\"ascii\">{words}</DataArray></PointData></Piece></ImageData></VTKFile>"
+        );
+        // Places after nifti1.h: size, dimensions, type of samples, their distances and their place, magic.
+        let mut nifti = vec![1; 352 + 24];
+        nifti[..352].fill(0);
+        let mut put = |at: usize, bytes: &[u8]| nifti[at..at + bytes.len()].copy_from_slice(bytes);
+        put(0, &348_i32.to_le_bytes());
+        for (i, length) in [3_i16, 2, 3, 4].iter().enumerate() {
+            put(40 + 2 * i, &length.to_le_bytes());
+            put(76 + 4 * i, &1_f32.to_le_bytes());
+        }
+        put(70, &2_i16.to_le_bytes());
+        put(108, &352_f32.to_le_bytes());
+        put(344, b"n+1\0");
+        [
+            ("v.nrrd", nrrd.into_bytes()),
+            ("v.vti", vti.into_bytes()),
+            ("v.nii", nifti),
+        ]
+    }
+
+    #[test]
+    fn samples_that_would_take_too_much_memory_are_refused() {
+        let folder = tempfile::tempdir().unwrap();
+        for (name, bytes) in files() {
+            let path = folder.path().join(name);
+            std::fs::write(&path, bytes).unwrap();
+            let memory = MemoryLimit::of(1 << 20);
+            let wish = Wish {
+                array: None,
+                missing: Missing::Empty,
+                memory: &memory,
+            };
+            assert_eq!(load(&path, &wish).unwrap().volume.samples(), [1.0; 24]);
+            assert_eq!(memory.left(), (1 << 20) - 96, "{name}");
+            let full = MemoryLimit::of((1 << 20) + 95);
+            full.take(1 << 20).unwrap();
+            let (what, _) = Wish {
+                memory: &full,
+                ..wish
+            }
+            .expect_room(24)
+            .unwrap_err();
+            assert!(what.contains("24 samples take 96 bytes"), "{what}");
+            assert!(what.contains("no more than 95 bytes"), "{what}");
+        }
+    }
 }

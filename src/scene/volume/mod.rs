@@ -3,19 +3,27 @@
 //! The samples are points, not cells: the lattice of `dims` points fills the parallelepiped from the first sample to the
 //! last one along each axis, its *proxy box*, and there is nothing outside of it. Between the samples values are
 //! interpolated trilinearly. A volume read from a file stands where the file says; its [`Transform`] comes on top.
+//!
+//! A sample may be *empty* (NaN): nothing was measured or computed there. A cell, the box between eight neighbouring
+//! samples, is empty as soon as one of its corners is: it has no value and no density, and no isosurface goes through it.
+//! No value is put in its place, because whatever it is, between it and its neighbours all values in between would appear,
+//! and with them shells that are not in the data.
 
 mod check;
 mod gzip;
 mod load;
+mod missing;
 mod nifti;
 mod nrrd;
 mod samples;
+mod space;
 mod transfer;
 mod vti;
 
 use glam::{DAffine3, DVec3};
 
-pub(super) use load::load;
+pub(super) use load::{Wish, load};
+pub(super) use missing::Missing;
 pub(super) use transfer::fault;
 pub use transfer::{Medium, Transfer, TransferPoint};
 
@@ -32,6 +40,7 @@ pub struct Volume {
     pub transfer: Transfer,
     /// Sampling distance along a ray in voxels, greater than 0. See [`Volume::sampling_distance`].
     pub step: f64,
+    has_empty: bool,
     dims: [usize; 3],
     samples: Vec<f32>,
     index_to_world: DAffine3,
@@ -41,15 +50,23 @@ pub struct Volume {
 /// The most samples of a volume: 512 Mi, which take 2 GiB.
 pub const MAX_SAMPLES: u64 = 512 << 20;
 
+/// The largest sample, up or down. What is beyond has no use, and differences between such would leave the numbers of 32
+/// bits that shaders compute with.
+const LARGEST: f32 = 1e38;
+
+/// A sample that is empty.
+const EMPTY: f32 = f32::NAN;
+
 impl Volume {
     /// The sampling distance that nobody asked otherwise for, in voxels.
     pub const DEFAULT_STEP: f64 = 0.5;
 
-    /// A volume of `dims` samples, x fastest, with the sample (i, j, k) at `index_to_world` (i, j, k).
+    /// A volume of `dims` samples, x fastest, with the sample (i, j, k) at `index_to_world` (i, j, k). NaN is a sample that
+    /// is empty.
     ///
     /// # Errors
-    /// An axis has fewer than 2 samples, there are more than [`MAX_SAMPLES`] or not as many as `dims` says, one is not
-    /// finite, or the placement is not finite or flat.
+    /// An axis has fewer than 2 samples, there are more than [`MAX_SAMPLES`] or not as many as `dims` says, one is
+    /// infinite or beyond 1e38, or the placement is not finite or flat.
     pub fn new(
         name: impl Into<String>,
         dims: [usize; 3],
@@ -69,6 +86,7 @@ impl Volume {
             name,
             transfer: Transfer::default(),
             step: Self::DEFAULT_STEP,
+            has_empty: samples.iter().any(|sample| sample.is_nan()),
             dims,
             samples,
             index_to_world,
@@ -81,9 +99,14 @@ impl Volume {
         self.dims
     }
 
-    /// The samples, x fastest, all finite.
+    /// The samples, x fastest, from -1e38 to 1e38; NaN where they are empty.
     pub fn samples(&self) -> &[f32] {
         &self.samples
+    }
+
+    /// Whether a sample is empty.
+    pub fn has_empty(&self) -> bool {
+        self.has_empty
     }
 
     /// From a sample's indices to its place in the world.
@@ -96,14 +119,14 @@ impl Volume {
         self.world_to_index
     }
 
-    /// The value at a world point; `None` outside of the proxy box.
+    /// The value at a world point; `None` outside of the proxy box, NaN where it is empty.
     pub fn at(&self, world: DVec3) -> Option<f64> {
         let index = self.world_to_index.transform_point3(world);
         let inside = index.cmpge(DVec3::ZERO).all() && index.cmple(self.last()).all();
         inside.then(|| self.at_index(index))
     }
 
-    /// The value between samples, by indices; those outside are moved to the proxy box's surface.
+    /// The value between samples, by indices; those outside are moved to the proxy box's surface. NaN in an empty cell.
     pub fn at_index(&self, index: DVec3) -> f64 {
         let index = index.clamp(DVec3::ZERO, self.last());
         let [nx, ny, _] = self.dims;
@@ -112,6 +135,7 @@ impl Volume {
             std::array::from_fn(|axis| (index[axis] as usize).min(self.dims[axis] - 2));
         let [x, y, z]: [f64; 3] = std::array::from_fn(|axis| index[axis] - cell[axis] as f64);
         let first = cell[0] + nx * (cell[1] + ny * cell[2]);
+        // NaN goes through all of it, whatever its weight.
         let mix = |from: f64, to: f64, part: f64| from + (to - from) * part;
         let along_x = |row: usize| {
             let [from, to] = [self.samples[row], self.samples[row + 1]].map(f64::from);

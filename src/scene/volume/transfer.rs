@@ -33,6 +33,14 @@ pub struct Medium {
     pub density: f64,
 }
 
+impl Medium {
+    /// Nothing at all.
+    pub const NONE: Self = Self {
+        color: DVec3::ZERO,
+        density: 0.0,
+    };
+}
+
 impl Transfer {
     /// The largest density that is taken.
     pub const MAX_DENSITY: f32 = 1e6;
@@ -56,8 +64,11 @@ impl Transfer {
         &self.points
     }
 
-    /// Colour and density of a value.
+    /// Colour and density of a value; none of NaN, which stands for what is empty.
     pub fn at(&self, value: f64) -> Medium {
+        if value.is_nan() {
+            return Medium::NONE;
+        }
         let after = self
             .points
             .partition_point(|point| f64::from(point.value) <= value);

@@ -7,8 +7,10 @@ use crate::error::{Error, Place, Result};
 
 /// The header's fields and where they end.
 pub(super) struct Header<'a> {
-    path: &'a Path,
+    pub(super) path: &'a Path,
     fields: BTreeMap<&'static str, Field>,
+    /// After `data file: LIST`: the files' names, a line each.
+    pub(super) list: Vec<String>,
     /// Where an attached header's samples begin.
     pub(super) end: usize,
 }
@@ -20,7 +22,7 @@ pub(super) struct Field {
 }
 
 /// Every field of the format. The first list is used; nothing in an image depends on the second.
-const USED: [&str; 12] = [
+const USED: [&str; 13] = [
     "dimension",
     "type",
     "encoding",
@@ -33,9 +35,9 @@ const USED: [&str; 12] = [
     "line skip",
     "byte skip",
     "space dimension",
-];
-const UNUSED: [&str; 19] = [
     "space",
+];
+const UNUSED: [&str; 18] = [
     "content",
     "number",
     "block size",
@@ -63,6 +65,7 @@ impl<'a> Header<'a> {
         let mut header = Self {
             path,
             fields: BTreeMap::new(),
+            list: Vec::new(),
             end: 0,
         };
         let mut number = 0;
@@ -70,6 +73,11 @@ impl<'a> Header<'a> {
             number += 1;
             if number == 1 {
                 expect_magic(path, line)?;
+            } else if header.is_list() {
+                let name = String::from_utf8_lossy(line.trim_ascii());
+                if !name.is_empty() {
+                    header.list.push(name.into_owned());
+                }
             } else if line.is_empty() {
                 break;
             } else if line[0] != b'#' {
@@ -130,6 +138,12 @@ impl<'a> Header<'a> {
         Ok(())
     }
 
+    /// Whether what follows are names of files, to the file's end.
+    fn is_list(&self) -> bool {
+        let field = self.optional("data file");
+        field.is_some_and(|field| field.text.split_whitespace().next() == Some("LIST"))
+    }
+
     pub(super) fn optional(&self, name: &str) -> Option<&Field> {
         self.fields.get(name)
     }
@@ -144,18 +158,14 @@ impl<'a> Header<'a> {
         })
     }
 
-    /// A field of three words, each read by a rule.
-    pub(super) fn three<T: Copy>(
-        &self,
-        name: &str,
-        wanted: &str,
-        read: impl Fn(&str) -> Option<T>,
-    ) -> Result<[T; 3]> {
-        let words = self.required(name)?.text.split_whitespace().map(read);
-        let items: Option<Vec<T>> = words.collect();
-        items
-            .and_then(|items| <[T; 3]>::try_from(items).ok())
-            .ok_or_else(|| self.wrong(name, format!("these are not {wanted}"), "Correct the line."))
+    /// A field with a word for each axis.
+    pub(super) fn words(&self, name: &str, axes: usize) -> Result<Vec<&str>> {
+        let words: Vec<&str> = self.required(name)?.text.split_whitespace().collect();
+        if words.len() == axes {
+            return Ok(words);
+        }
+        let what = format!("these are {} words for {axes} axes", words.len());
+        Err(self.wrong(name, what, "Give one for each axis."))
     }
 
     pub(super) fn integer(&self, name: &str) -> Result<Option<i64>> {
@@ -196,12 +206,26 @@ impl<'a> Header<'a> {
     }
 }
 
+/// The versions that there are; they differ in fields, each of which is known here.
+const VERSIONS: std::ops::RangeInclusive<u8> = b'1'..=b'6';
+
 fn expect_magic(path: &Path, line: &[u8]) -> Result<()> {
-    if line.starts_with(b"NRRD000") {
+    let version = line.strip_prefix(b"NRRD000").and_then(<[u8]>::first);
+    if version.is_some_and(|digit| VERSIONS.contains(digit)) {
         return Ok(());
     }
+    let place = Place::line(path, 1);
+    if line.starts_with(b"NRRD") {
+        let shown = line[..line.len().min(20)].escape_ascii();
+        let what = format!("this is NRRD of the version {shown}; known are NRRD0001 to NRRD0006");
+        return Err(Error::input(
+            place,
+            what,
+            "Save the volume again, with teem or Slicer.",
+        ));
+    }
     Err(Error::input(
-        Place::line(path, 1),
+        place,
         "this is not a NRRD file: it does not begin with NRRD000 and a digit",
         "Check that its ending is right.",
     ))

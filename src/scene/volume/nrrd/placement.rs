@@ -1,40 +1,35 @@
-//! Where the samples stand: `space directions`, or else `spacings`, or else one unit apart; from `space origin` on.
+//! Where the samples stand: `space directions`, or else `spacings`, or else one unit apart; from `space origin` on; in
+//! the patient's axes if `space` names them, or else in the file's own.
 
 use glam::{DAffine3, DMat3, DVec3};
 
+use super::axes::{Axes, items};
 use super::header::Header;
 use crate::error::Result;
+use crate::scene::volume::space::Space;
 
-/// A placement, and the field that it is owed to.
+/// A placement, the field that it is owed to, and the space that it is in, if that is known.
 pub(super) struct Placement {
     pub(super) affine: DAffine3,
     pub(super) field: &'static str,
+    pub(super) space: Option<Space>,
 }
 
-pub(super) fn read(header: &Header) -> Result<Placement> {
+pub(super) fn read(header: &Header, axes: &Axes) -> Result<Placement> {
     expect_space_of_three(header)?;
-    let (field, axes) = if header.optional("space directions").is_some() {
-        ("space directions", directions(header)?)
+    let (field, matrix) = if header.optional("space directions").is_some() {
+        ("space directions", directions(header, axes)?)
     } else if header.optional("spacings").is_some() {
-        let spacings = header.three("spacings", "three numbers", |word| word.parse().ok())?;
-        ("spacings", DMat3::from_diagonal(spacings.into()))
+        ("spacings", spacings(header, axes)?)
     } else {
         ("sizes", DMat3::IDENTITY)
     };
-    let origin = match header.optional("space origin") {
-        None => DVec3::ZERO,
-        Some(_) => {
-            let [origin] = vectors(header, "space origin")?;
-            if !origin.is_finite() {
-                let what = "these are not finite numbers";
-                return Err(header.wrong("space origin", what, "Give three finite numbers."));
-            }
-            origin
-        }
-    };
+    let space = space(header)?;
+    let affine = DAffine3::from_mat3_translation(matrix, origin(header)?);
     Ok(Placement {
-        affine: DAffine3::from_mat3_translation(axes, origin),
+        affine: space.map_or(affine, |space| space.to_world(affine)),
         field,
+        space,
     })
 }
 
@@ -49,34 +44,72 @@ fn expect_space_of_three(header: &Header) -> Result<()> {
     }
 }
 
-fn directions(header: &Header) -> Result<DMat3> {
-    let [x, y, z] = vectors(header, "space directions")?;
+/// The format's names of the patient's spaces. Others (of scanners, or only left- or right-handed) say nothing about where
+/// the patient's sides are.
+fn space(header: &Header) -> Result<Option<Space>> {
+    let Some(field) = header.optional("space") else {
+        return Ok(None);
+    };
+    let name = field.text.to_ascii_lowercase();
+    if name.ends_with("-time") || name.ends_with('t') && name.len() == 4 {
+        let what = "this space has a time as its fourth axis";
+        let remedy = "Save one moment as a volume in space alone.";
+        return Err(header.wrong("space", what, remedy));
+    }
+    Ok(match name.as_str() {
+        "right-anterior-superior" | "ras" => Some(Space::Ras),
+        "left-anterior-superior" | "las" => Some(Space::Las),
+        "left-posterior-superior" | "lps" => Some(Space::Lps),
+        _ => None,
+    })
+}
+
+fn spacings(header: &Header, axes: &Axes) -> Result<DMat3> {
+    let words = header.words("spacings", axes.sizes.len())?;
+    let kept = axes.kept.map(|axis| words[axis].parse().ok());
+    let [Some(x), Some(y), Some(z)] = kept else {
+        let what = "these are not numbers";
+        return Err(header.wrong("spacings", what, "Correct the line."));
+    };
+    Ok(DMat3::from_diagonal(DVec3::new(x, y, z)))
+}
+
+fn directions(header: &Header, axes: &Axes) -> Result<DMat3> {
+    let all: Vec<&str> = items(&header.required("space directions")?.text).collect();
+    let number = axes.sizes.len();
+    if all.len() != number {
+        let what = format!("these are {} directions for {number} axes", all.len());
+        let remedy = "Write one for each axis: three numbers in brackets, or none.";
+        return Err(header.wrong("space directions", what, remedy));
+    }
+    let [Some(x), Some(y), Some(z)] = axes.kept.map(|axis| vector(all[axis])) else {
+        let what = "these are not three times (x,y,z)";
+        let remedy = "Write each direction in space as three numbers in brackets.";
+        return Err(header.wrong("space directions", what, remedy));
+    };
     Ok(DMat3::from_cols(x, y, z))
 }
 
-/// As many vectors as there must be, written `(1,0,0)`.
-fn vectors<const N: usize>(header: &Header, name: &'static str) -> Result<[DVec3; N]> {
-    let wrong = || {
-        let what = format!("this is not {N} times (x,y,z)");
-        header.wrong(
-            name,
-            what,
-            "Write each vector as three numbers in brackets.",
-        )
+fn origin(header: &Header) -> Result<DVec3> {
+    let Some(field) = header.optional("space origin") else {
+        return Ok(DVec3::ZERO);
     };
-    let text = header.required(name)?.text.trim();
-    let pieces = text
-        .split(')')
-        .map(str::trim)
-        .filter(|piece| !piece.is_empty());
-    let vectors: Option<Vec<DVec3>> = pieces.map(vector).collect();
-    let vectors = vectors.filter(|_| text.ends_with(')')).ok_or_else(wrong)?;
-    vectors.try_into().map_err(|_| wrong())
+    match vector(field.text.trim()) {
+        Some(origin) if origin.is_finite() => Ok(origin),
+        _ => {
+            let what = "this is not a place (x,y,z) of finite numbers";
+            Err(header.wrong(
+                "space origin",
+                what,
+                "Give three finite numbers in brackets.",
+            ))
+        }
+    }
 }
 
-/// `(1,0,0` without its end.
+/// A vector written `(1,0,0)`.
 fn vector(text: &str) -> Option<DVec3> {
-    let numbers = text.strip_prefix('(')?.split(',');
+    let numbers = text.strip_prefix('(')?.strip_suffix(')')?.split(',');
     let numbers: Option<Vec<f64>> = numbers.map(|number| number.trim().parse().ok()).collect();
     Some(DVec3::from_array(numbers?.try_into().ok()?))
 }

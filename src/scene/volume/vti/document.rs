@@ -59,6 +59,11 @@ impl<'a> Document<'a> {
         })
     }
 
+    /// The file.
+    pub(super) fn path(&self) -> &'a Path {
+        self.path
+    }
+
     /// Where a field stands, as far as it is known.
     pub(super) fn place(&self, field: &str) -> Place {
         Place::file(self.path).token(field)

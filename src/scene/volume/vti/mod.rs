@@ -1,154 +1,168 @@
-//! VTK ImageData (`.vti`): one piece, one scalar per point.
+//! VTK's images: `.vti`, of one piece or several, and `.pvti`, whose pieces are files.
 //!
 //! After VTK's description of its XML formats, <https://docs.vtk.org/en/latest/vtk_file_formats/vtkxml_file_format.html>.
-//! Read are the formats `ascii`, `binary` and `appended` (`raw` or `base64`), plain or packed by VTK's zlib compressor.
-//! The XML is `roxmltree`'s business; raw appended data is not XML, and is cut off before.
+//! Read are scalars of the points, or of the cells, whose samples then are in the cells' middles; in the formats `ascii`,
+//! `binary` and `appended` (`raw` or `base64`), plain or packed by VTK's zlib compressor. The XML is `roxmltree`'s
+//! business; raw appended data is not XML, and is cut off before. The format names no space: its own is the world.
 
+mod arrays;
+mod assembly;
+mod base64;
+mod block;
 mod data;
 mod document;
+mod image;
 
+use std::collections::HashSet;
 use std::path::Path;
 
-use glam::{DAffine3, DMat3, DVec3};
 use roxmltree::Node;
 
 use super::check;
-use super::load::{Layout, Loaded, finish};
-use super::samples::SampleType;
+use super::load::{Loaded, Parts, Wish, beside};
 use crate::error::Result;
+use arrays::{Choice, children};
+use assembly::Assembly;
+use block::Block;
+use data::Form;
 use document::Document;
+use image::{Extent, Image};
 
-pub(super) fn read(path: &Path, bytes: &[u8]) -> Result<Loaded> {
+/// An image in one file.
+pub(super) fn read(path: &Path, bytes: &[u8], wish: &Wish) -> Result<Loaded> {
     let document = Document::split(path, bytes)?;
     let tree = document.parse()?;
     let root = tree.root_element();
-    let wrong = |field: &str, what: String, remedy: &str| document.wrong(field, what, remedy);
+    let element = element(&document, root, "ImageData")?;
+    let image = Image::read(&document, element)?;
+    let first = first_piece(&document, element, &image)?;
+    let (choice, notice) = arrays::choose(&document, first, "", wish)?;
+    let whole = image.block(&document, choice.kind, wish)?;
+    let mut assembly = Assembly::of(whole);
+    add_pieces(&document, root, &choice, &mut assembly)?;
+    finish(&document, &image, whole, &choice, assembly, notice, wish)
+}
+
+/// An image whose pieces are in files of their own.
+pub(super) fn read_parallel(path: &Path, bytes: &[u8], wish: &Wish) -> Result<Loaded> {
+    let document = Document::split(path, bytes)?;
+    let tree = document.parse()?;
+    let root = tree.root_element();
+    let element = element(&document, root, "PImageData")?;
+    let image = Image::read(&document, element)?;
+    let (choice, notice) = arrays::choose(&document, element, "P", wish)?;
+    let whole = image.block(&document, choice.kind, wish)?;
+    let mut assembly = Assembly::of(whole);
+    let mut named = HashSet::new();
+    for piece in children(element, "Piece") {
+        if is_empty(&document, piece, &image)? {
+            continue;
+        }
+        let Some(source) = piece.attribute("Source") else {
+            let what = "a piece does not say in which file it is".to_owned();
+            return Err(document.wrong("Piece Source", what, "Save the image again."));
+        };
+        if !named.insert(source) {
+            let what = format!("two pieces are in the file '{source}'");
+            return Err(document.wrong("Piece Source", what, "Save the image again."));
+        }
+        add_file(&beside(path, source), &choice, &mut assembly, wish)?;
+    }
+    finish(&document, &image, whole, &choice, assembly, notice, wish)
+}
+
+fn add_file(path: &Path, choice: &Choice, assembly: &mut Assembly, wish: &Wish) -> Result<()> {
+    let bytes = wish.read(path)?;
+    let document = Document::split(path, &bytes)?;
+    let tree = document.parse()?;
+    add_pieces(&document, tree.root_element(), choice, assembly)
+}
+
+/// The image's element of a file that is of the right type.
+fn element<'a>(document: &Document, root: Node<'a, 'a>, wanted: &str) -> Result<Node<'a, 'a>> {
     let kind = root.attribute("type").unwrap_or_default();
-    if root.tag_name().name() != "VTKFile" || kind != "ImageData" {
+    if root.tag_name().name() != "VTKFile" || kind != wanted {
         let what = format!("this is a <{} type=\"{kind}\">", root.tag_name().name());
-        let remedy = "Give a <VTKFile type=\"ImageData\">.";
-        return Err(wrong("VTKFile", what, remedy));
+        let remedy = match (kind, wanted) {
+            ("ImageData", _) => "Name the file .vti.".to_owned(),
+            ("PImageData", _) => "Name the file .pvti.".to_owned(),
+            _ => format!("Give a <VTKFile type=\"{wanted}\">."),
+        };
+        return Err(document.wrong("VTKFile", what, &remedy));
     }
-    let image = document.child(root, "ImageData")?;
-    let piece = only_piece(&document, image)?;
-    let extent = extent(&document, image)?;
-    let array = scalars(&document, piece)?;
-    let stored = array.attribute("type").and_then(stored).ok_or_else(|| {
-        let what = "this is not a type of samples that can be read".into();
-        wrong(
-            "DataArray type",
-            what,
-            "Known are Int8 to UInt64, Float32 and Float64.",
-        )
-    })?;
-    let dims = dims(&document, extent)?;
-    let endian = data::endian(&document, root)?;
-    let layout = Layout {
-        dims,
-        stored,
-        endian,
-    };
-    let samples = data::samples(&document, root, array, &layout)?;
-    let affine = placement(&document, image, extent)?;
-    let places = ["DataArray", "Spacing"].map(|field| document.place(field));
-    let volume = finish(path, dims, samples, affine, places)?;
-    Ok(Loaded {
-        volume,
-        notices: Vec::new(),
-    })
+    document.child(root, wanted)
 }
 
-/// A file of several pieces would have to be put together.
-fn only_piece<'a>(document: &Document, image: Node<'a, 'a>) -> Result<Node<'a, 'a>> {
-    let piece = document.child(image, "Piece")?;
-    let whole = image.attribute("WholeExtent").unwrap_or_default();
-    let own = piece.attribute("Extent").unwrap_or(whole);
-    if own.split_whitespace().eq(whole.split_whitespace()) {
-        return Ok(piece);
-    }
-    let what = format!("the first piece is {own}, the whole {whole}");
-    Err(document.wrong("Piece Extent", what, "Save the image as one piece."))
+fn extent_of(document: &Document, piece: Node, image: &Image) -> Result<Extent> {
+    Ok(image::extent(document, piece, "Extent")?.unwrap_or(image.extent))
 }
 
-/// First and last index of x, y and z.
-fn extent(document: &Document, image: Node) -> Result<[i64; 6]> {
-    let read = |word: &str| word.parse::<i32>().ok().map(i64::from);
-    let numbers = document.numbers(image, "WholeExtent", read)?;
-    numbers.ok_or_else(|| {
-        let what = "it is missing".to_owned();
-        document.wrong(
-            "WholeExtent",
-            what,
-            "Give first and last index of x, y and z.",
-        )
-    })
+/// A piece of no points: its writer had nothing to write.
+fn is_empty(document: &Document, piece: Node, image: &Image) -> Result<bool> {
+    let extent = extent_of(document, piece, image)?;
+    Ok(block::Kind::Points.block(extent).is_empty())
 }
 
-fn dims(document: &Document, [x0, x1, y0, y1, z0, z1]: [i64; 6]) -> Result<[usize; 3]> {
-    let counts = [x1 - x0 + 1, y1 - y0 + 1, z1 - z0 + 1];
-    let dims = counts.map(|count| usize::try_from(count).unwrap_or(0));
-    check::dims(dims).map_err(|(what, remedy)| document.wrong("WholeExtent", what, remedy))?;
-    Ok(dims)
-}
-
-/// The array that the points' data name as their scalars, or else their first one.
-fn scalars<'a>(document: &Document, piece: Node<'a, 'a>) -> Result<Node<'a, 'a>> {
-    let points = document.child(piece, "PointData")?;
-    let name = points.attribute("Scalars");
-    let mut arrays = points
-        .children()
-        .filter(|node| node.has_tag_name("DataArray"));
-    let array = match name {
-        Some(name) => arrays.find(|array| array.attribute("Name") == Some(name)),
-        None => arrays.next(),
-    };
-    let array = array.ok_or_else(|| {
-        let what = format!("there is no array '{}'", name.unwrap_or_default());
-        document.wrong("PointData", what, "Save the scalars as data of the points.")
-    })?;
-    match array.attribute("NumberOfComponents").unwrap_or("1") {
-        "1" | "0" => Ok(array),
-        count => Err(document.wrong(
-            "NumberOfComponents",
-            format!("each sample has {count} components"),
-            "Save one scalar per point.",
-        )),
-    }
-}
-
-fn placement(
+/// The first piece that has something in it, which stands for the others in what arrays there are.
+fn first_piece<'a>(
     document: &Document,
-    image: Node,
-    [x0, _, y0, _, z0, _]: [i64; 6],
-) -> Result<DAffine3> {
-    let number = |word: &str| word.parse::<f64>().ok();
-    let vector = |key: &str, default: DVec3| -> Result<DVec3> {
-        let numbers = document.numbers(image, key, number)?;
-        Ok(numbers.map_or(default, DVec3::from_array))
-    };
-    let origin = vector("Origin", DVec3::ZERO)?;
-    let spacing = vector("Spacing", DVec3::ONE)?;
-    let rows: Option<[f64; 9]> = document.numbers(image, "Direction", number)?;
-    let direction = rows.map_or(DMat3::IDENTITY, |rows| {
-        DMat3::from_cols_array(&rows).transpose()
-    });
-    let axes = direction * DMat3::from_diagonal(spacing);
-    let first = DVec3::new(x0 as f64, y0 as f64, z0 as f64);
-    Ok(DAffine3::from_mat3_translation(axes, origin + axes * first))
+    element: Node<'a, 'a>,
+    image: &Image,
+) -> Result<Node<'a, 'a>> {
+    for piece in children(element, "Piece") {
+        if !is_empty(document, piece, image)? {
+            return Ok(piece);
+        }
+    }
+    document.child(element, "Piece")
 }
 
-fn stored(name: &str) -> Option<SampleType> {
-    Some(match name {
-        "Int8" => SampleType::I8,
-        "UInt8" => SampleType::U8,
-        "Int16" => SampleType::I16,
-        "UInt16" => SampleType::U16,
-        "Int32" => SampleType::I32,
-        "UInt32" => SampleType::U32,
-        "Int64" => SampleType::I64,
-        "UInt64" => SampleType::U64,
-        "Float32" => SampleType::F32,
-        "Float64" => SampleType::F64,
-        _ => return None,
-    })
+/// All pieces of a file that have something in them.
+fn add_pieces(
+    document: &Document,
+    root: Node,
+    choice: &Choice,
+    assembly: &mut Assembly,
+) -> Result<()> {
+    let element = element(document, root, "ImageData")?;
+    let image = Image::read(document, element)?;
+    let form = Form::read(document, root)?;
+    for piece in children(element, "Piece") {
+        let block = choice.kind.block(extent_of(document, piece, &image)?);
+        if block.is_empty() {
+            continue;
+        }
+        let wrong = |(what, remedy): check::Fault| document.wrong("Piece Extent", what, remedy);
+        check::count_of(block.dims()).map_err(wrong)?;
+        assembly.expect(&block).map_err(wrong)?;
+        let array = arrays::find(document, piece, choice)?;
+        assembly.add(block, form.samples(array, block.dims())?);
+    }
+    Ok(())
+}
+
+fn finish(
+    document: &Document,
+    image: &Image,
+    whole: Block,
+    choice: &Choice,
+    assembly: Assembly,
+    notice: Option<String>,
+    wish: &Wish,
+) -> Result<Loaded> {
+    let samples = assembly.finish().map_err(|missing| {
+        let all: usize = whole.dims().iter().product();
+        let what = format!("its pieces leave out {missing} of the whole extent's {all} samples");
+        let remedy = "Give all pieces, or save the image as one piece.";
+        document.wrong("Piece Extent", what, remedy)
+    })?;
+    Parts {
+        path: document.path(),
+        dims: whole.dims(),
+        samples,
+        index_to_world: image.index_to_world(&whole, choice.kind),
+        placed_by: document.place("Spacing"),
+        notices: notice.into_iter().collect(),
+    }
+    .finish(wish)
 }

@@ -1,0 +1,44 @@
+//! A folder in memory whose files the readers are given: they read files, not bytes, as they do for everybody.
+
+use std::path::{Path, PathBuf};
+
+/// A folder of this process, which stays until the machine is restarted or it is removed.
+pub struct Folder(PathBuf);
+
+impl Folder {
+    /// With one file that does not change.
+    pub fn with(name: &str, content: &str) -> Self {
+        let memory = Path::new("/dev/shm");
+        let parent = if memory.is_dir() {
+            memory.to_owned()
+        } else {
+            std::env::temp_dir()
+        };
+        let folder = parent.join(format!("onionskin-fuzz-{}", std::process::id()));
+        std::fs::create_dir_all(&folder).expect("the folder can be made");
+        std::fs::write(folder.join(name), content).expect("the folder can be written to");
+        Self(folder)
+    }
+
+    /// With a scene file of one volume.
+    pub fn of_volume(name: &str) -> Self {
+        Self::with(
+            "scene.toml",
+            &format!(
+                "[[volume]]\nfile = \"{name}\"\ntransfer = [{{ value = 0, color = [1, 1, 1], density = 1 }}]\n"
+            ),
+        )
+    }
+
+    /// Writes a file and gives its path.
+    pub fn write(&self, name: &str, bytes: &[u8]) -> PathBuf {
+        let path = self.0.join(name);
+        std::fs::write(&path, bytes).expect("the folder can be written to");
+        path
+    }
+
+    /// The path of a file there.
+    pub fn path(&self, name: &str) -> PathBuf {
+        self.0.join(name)
+    }
+}
