@@ -271,6 +271,23 @@ fn meshes_that_cannot_be_seen_are_said() {
 }
 
 #[test]
+fn a_million_names_of_material_files_are_not_all_looked_for() {
+    for line in [
+        "mtllib gone.mtl gone again.mtl ",
+        "mtllib a b c d e f g h i j ",
+    ] {
+        let mut model = of_material_a();
+        for i in 0..20_000 {
+            model.push_str(&format!("{line}{i}.mtl\n"));
+        }
+        model.push_str(&line.repeat(100_000));
+        let scene = with_materials(model, "newmtl a\nKd 1 0 0\n");
+        assert_eq!(colors(&scene.meshes[0])[0], Rgba::opaque([1.0, 0.0, 0.0]));
+        said(&scene, "more than are looked for");
+    }
+}
+
+#[test]
 fn the_first_of_several_files_wins() {
     for line in ["mtllib a.mtl b.mtl", "mtllib a.mtl\nmtllib b.mtl"] {
         let scene = Folder::new()
@@ -497,5 +514,8 @@ fn keywords_of_materials_may_be_in_any_case() {
 fn what_belongs_to_no_material_is_skipped() {
     let (color, scene) = color_of("Kd 0 0 1\nd 0.5\nnewmtl a\nKd 1 0 0\n");
     assert_eq!(color, Rgba::opaque([1.0, 0.0, 0.0]));
-    said(&scene, "m.mtl:1: 2 lines before the first material skipped");
+    said(
+        &scene,
+        "m.mtl:1: what stands before the first material is skipped",
+    );
 }

@@ -40,10 +40,7 @@ fn is_within(outline: &[DVec2], point: DVec2) -> bool {
 
 /// The triangles on the xy plane.
 fn triangles(mesh: &Mesh) -> Vec<[DVec2; 3]> {
-    let corners = |i| {
-        mesh.corners(i)
-            .map(|corner| corner.position.as_dvec3().truncate())
-    };
+    let corners = |i| mesh.corners(i).map(|corner| corner.position.truncate());
     (0..mesh.triangle_count()).map(corners).collect()
 }
 
@@ -200,7 +197,7 @@ fn corners_on_a_line_and_repeated_ones_do_no_harm() {
     )));
     assert_eq!(area(&triangles(&scene.meshes[0])), 2.5);
     // A neighbour may have a corner there, so that it has to stay one.
-    let corner = |at: (f32, f32)| {
+    let corner = |at: (f64, f64)| {
         scene.meshes[0]
             .vertices
             .iter()
@@ -270,7 +267,7 @@ fn a_crossing_has_the_colour_and_the_place_between() {
     let crossing = mesh
         .vertices
         .iter()
-        .find(|v| v.position.truncate() == glam::Vec2::ONE);
+        .find(|v| v.position.truncate() == DVec2::ONE);
     let crossing = crossing.expect("a vertex where the edges cross");
     assert_eq!(crossing.position.z, 1.0);
     let expected = [[0.5, 0.0, 0.5, 1.0], [0.0, 1.0, 0.0, 1.0]];
@@ -411,9 +408,7 @@ fn turned(outline: &[DVec2], axis: DVec3, angle: f64) -> Vec<[DVec2; 3]> {
         .map(|corner| turn * corner.extend(0.0))
         .collect();
     let scene = obj(model(&corners));
-    let back = |corner: onionskin::scene::Vertex| {
-        (turn.transpose() * corner.position.as_dvec3()).truncate()
-    };
+    let back = |corner: onionskin::scene::Vertex| (turn.transpose() * corner.position).truncate();
     let meshes = scene.meshes.iter();
     let corners =
         meshes.flat_map(|mesh| (0..mesh.triangle_count()).map(|i| mesh.corners(i).map(back)));

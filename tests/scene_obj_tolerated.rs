@@ -181,7 +181,7 @@ fn a_decimal_comma_is_read_as_a_point_and_said() {
     let places: Vec<Vec3> = scene.meshes[0]
         .vertices
         .iter()
-        .map(|v| v.position)
+        .map(|v| v.position.as_vec3())
         .collect();
     assert_eq!(
         places,

@@ -8,7 +8,7 @@ use glam::{DVec2, DVec3};
 use spade::handles::{DirectedEdgeHandle, FixedDirectedEdgeHandle, FixedVertexHandle};
 use spade::{CdtEdge, ConstrainedDelaunayTriangulation, HasPosition, Point2, Triangulation};
 
-use super::polygon::{Cover, Point};
+use super::cover::{Cover, Point};
 
 /// Below this `spade` takes no coordinates; they are at most 1 here, and this is nothing beside that.
 const NOTHING: f64 = 1e-40;

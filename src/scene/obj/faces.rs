@@ -7,8 +7,9 @@ use std::path::Path;
 use glam::DVec3;
 
 use super::corner::{Corner, Counts, Here};
+use super::cover::{Cover, Point};
 use super::notes::{Note, Notes};
-use super::polygon::{self, Cover, Point};
+use super::polygon;
 use super::smoothing::Smoothing;
 use super::vertices::Vertices;
 use super::words;
@@ -66,7 +67,7 @@ impl<'a> Faces<'a> {
             let (keyword, rest) = words::split(&line);
             if keyword.first().is_none_or(|&first| first == b'#') {
                 if at_head {
-                    faces.head.extend_from_slice(&line);
+                    words::keep_head(&line, &mut faces.head);
                 }
                 continue;
             }

@@ -9,14 +9,15 @@ use super::notes::{Note, Notes};
 use super::words;
 
 /// The most names that are looked for: each asks the disk several times.
-const MAX_LIBRARIES: usize = 256;
+const MAX_LOOKS: usize = 512;
 
 /// Finds files by the names that people's programs give them.
 pub(super) struct Libraries<'a> {
     folder: &'a Path,
-    /// What is in the folders that had to be searched.
-    listings: HashMap<PathBuf, Vec<OsString>>,
-    asked: HashSet<Vec<u8>>,
+    /// The names in the folders that had to be searched, by what they are in lower case.
+    listings: HashMap<PathBuf, HashMap<String, OsString>>,
+    /// What has been looked for, and the file that it is, with whether that has exactly this name.
+    looked: HashMap<Vec<u8>, Option<(PathBuf, bool)>>,
     taken: HashSet<PathBuf>,
     found: Vec<PathBuf>,
 }
@@ -31,7 +32,7 @@ impl<'a> Libraries<'a> {
         let mut libraries = Self {
             folder: model.parent().unwrap_or(Path::new("")),
             listings: HashMap::new(),
-            asked: HashSet::new(),
+            looked: HashMap::new(),
             taken: HashSet::new(),
             found: Vec::new(),
         };
@@ -48,26 +49,33 @@ impl<'a> Libraries<'a> {
             return;
         }
         for name in names(rest) {
-            if self.asked.len() >= MAX_LIBRARIES {
-                notes.count(Note::TooManyLibraries, line, name);
-            } else if !self.take(name, line, notes) {
-                let parts: Vec<&[u8]> = words::words(name).collect();
-                let several = parts.len() > 1 && parts.len() < MAX_LIBRARIES;
-                let any = several && parts.iter().any(|part| self.locate(part).is_some());
-                let missing = if any { parts } else { vec![name] };
-                for part in missing {
+            if self.take(name, line, notes) {
+                continue;
+            }
+            let parts = || words::words(name).take(MAX_LOOKS);
+            if parts().count() > 1 && parts().any(|part| self.look(part).is_some()) {
+                for part in parts() {
                     if !self.take(part, line, notes) {
-                        notes.count(Note::LibraryMissing, line, part);
+                        self.missing(part, line, notes);
                     }
                 }
+            } else {
+                self.missing(name, line, notes);
             }
         }
     }
 
+    fn missing(&self, name: &[u8], line: usize, notes: &mut Notes) {
+        let note = match self.looked.contains_key(name) {
+            true => Note::LibraryMissing,
+            false => Note::TooManyLibraries,
+        };
+        notes.count(note, line, name);
+    }
+
     /// Takes the file of this name if there is one.
     fn take(&mut self, name: &[u8], line: usize, notes: &mut Notes) -> bool {
-        self.asked.insert(name.to_owned());
-        let Some((path, as_named)) = self.locate(name) else {
+        let Some((path, as_named)) = self.look(name) else {
             return false;
         };
         // One file may go by many names.
@@ -79,6 +87,19 @@ impl<'a> Libraries<'a> {
             self.found.push(path);
         }
         true
+    }
+
+    /// Looks for a name once, and for only so many names at all.
+    fn look(&mut self, name: &[u8]) -> Option<(PathBuf, bool)> {
+        if let Some(known) = self.looked.get(name) {
+            return known.clone();
+        }
+        if self.looked.len() >= MAX_LOOKS {
+            return None;
+        }
+        let found = self.locate(name);
+        self.looked.insert(name.to_owned(), found.clone());
+        found
     }
 
     /// The file of this name, and whether its name is exactly this: or else with the other system's slashes, without its
@@ -109,33 +130,32 @@ impl<'a> Libraries<'a> {
             .find_map(|path| Some((self.in_another_case(path)?, false)))
     }
 
-    /// The file in the same folder whose name differs by case only; the first by name if there are several.
+    /// The file in the same folder whose name differs by case only.
     fn in_another_case(&mut self, path: &Path) -> Option<PathBuf> {
         let wanted = path.file_name()?.to_string_lossy().to_lowercase();
         let folder = path.parent()?;
-        let names = self
-            .listings
-            .entry(folder.to_owned())
-            .or_insert_with(|| listing(folder));
-        let found = names
-            .iter()
-            .find(|name| name.to_string_lossy().to_lowercase() == wanted)?;
-        let path = folder.join(found);
+        let names = self.listings.entry(folder.to_owned());
+        let names = names.or_insert_with(|| listing(folder));
+        let path = folder.join(names.get(&wanted)?);
         path.is_file().then_some(path)
     }
 }
 
-/// The names in a folder, sorted; none if it cannot be read.
-fn listing(folder: &Path) -> Vec<OsString> {
-    let folder = if folder.as_os_str().is_empty() {
-        Path::new(".")
-    } else {
-        folder
+/// The names in a folder, the first of those that differ by case only; none if it cannot be read.
+fn listing(folder: &Path) -> HashMap<String, OsString> {
+    let folder = match folder.as_os_str().is_empty() {
+        true => Path::new("."),
+        false => folder,
     };
     let entries = fs::read_dir(folder).into_iter().flatten().flatten();
     let mut names: Vec<OsString> = entries.map(|entry| entry.file_name()).collect();
     names.sort();
-    names
+    let mut listing = HashMap::new();
+    for name in names {
+        let lower = name.to_string_lossy().to_lowercase();
+        listing.entry(lower).or_insert(name);
+    }
+    listing
 }
 
 /// The names in a line: in quotes, or ending in `.mtl`, or what is left.

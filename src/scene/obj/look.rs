@@ -3,9 +3,10 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use super::counted;
-use super::materials::{Library, Material, Statement};
+use super::library::{Library, Material, Statement};
+use super::notes::counted;
 use super::numbers;
+use super::transparency::{SAME, Tr};
 use super::words;
 
 /// A material's colour and opacity; `None` where nothing is said that can be read.
@@ -13,103 +14,6 @@ use super::words;
 pub(super) struct Look {
     pub(super) color: Option<[f32; 3]>,
     pub(super) opacity: Option<f32>,
-}
-
-/// What `Tr` means in a file. By the format's documents it is transparency, 1 less `d`; many programs write the opacity.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Tr {
-    Transparency,
-    /// This program, which is named in the file, writes the opacity.
-    OpacityOf(&'static str),
-    /// The other materials of the file have a `d`, too, and it is equal to their `Tr`.
-    OpacityLikeD,
-    /// By the other meaning nothing could be seen.
-    OpacityToBeSeen,
-    /// The same, where the opacity was to be expected.
-    TransparencyToBeSeen,
-}
-
-/// What the comments of programs say that write opacity as `Tr`, in lower case, and what the programs are called.
-const WRITERS: [(&[u8], &str); 8] = [
-    (b"visualization toolkit", "VTK"),
-    (b"vtk", "VTK"),
-    (b"pyvista", "PyVista"),
-    (b"paraview", "ParaView"),
-    (b"meshlab", "MeshLab"),
-    (b"vcglib", "VCGLib"),
-    (b"openmvs", "OpenMVS"),
-    (b"texrecon", "MVS-Texturing"),
-];
-
-/// Two numbers that a program has written of the same: they differ by the rounding of two decimals at most.
-const SAME: f64 = 0.01;
-
-/// What a file's `Tr` means: by who wrote it, or by what its `d` say, or by the format; but not so that all of its
-/// materials without a `d` are invisible if there is another way.
-pub(super) fn meaning_of_tr(library: &Library) -> Tr {
-    let writer = WRITERS.iter().find(|(comment, _)| {
-        let mut windows = library.head.windows(comment.len());
-        windows.any(|window| window == *comment)
-    });
-    let number = |statement: &Option<Statement>| first_number(statement.as_ref()?);
-    let both = library
-        .materials
-        .iter()
-        .filter_map(|m| Some((number(&m.d)?, number(&m.tr)?)));
-    let telling = both.filter(|(d, tr)| (d - tr).abs() > SAME || (1.0 - d - tr).abs() > SAME);
-    let (mut alike, mut opposite) = (0, 0);
-    for (d, tr) in telling {
-        alike += usize::from((d - tr).abs() <= SAME);
-        opposite += usize::from((1.0 - d - tr).abs() <= SAME);
-    }
-    let expected = match writer {
-        Some((_, name)) => Tr::OpacityOf(name),
-        None if alike > 0 && opposite == 0 => Tr::OpacityLikeD,
-        None => Tr::Transparency,
-    };
-    let alone = library
-        .materials
-        .iter()
-        .filter(|material| number(&material.d).is_none());
-    let alone: Vec<f64> = alone.filter_map(|material| number(&material.tr)).collect();
-    let all = |bound: fn(f64) -> bool| !alone.is_empty() && alone.iter().all(|&tr| bound(tr));
-    match expected {
-        Tr::Transparency if all(|tr| tr >= 1.0) => Tr::OpacityToBeSeen,
-        Tr::OpacityOf(_) | Tr::OpacityLikeD if all(|tr| tr <= 0.0) => Tr::TransparencyToBeSeen,
-        expected => expected,
-    }
-}
-
-impl Tr {
-    fn opacity(self, tr: f64) -> f64 {
-        match self {
-            Self::Transparency | Self::TransparencyToBeSeen => 1.0 - tr,
-            Self::OpacityOf(_) | Self::OpacityLikeD | Self::OpacityToBeSeen => tr,
-        }
-    }
-
-    fn sentence(self) -> String {
-        match self {
-            Self::Transparency => {
-                "taken as transparency, 1 less the opacity, as the format has it".to_owned()
-            }
-            Self::OpacityOf(writer) => {
-                format!("taken as opacity, which is what {writer} writes there")
-            }
-            Self::OpacityLikeD => {
-                "taken as opacity, since other materials of the file have a `d` that is equal to it"
-                    .to_owned()
-            }
-            Self::OpacityToBeSeen => {
-                "taken as opacity: as transparency it would leave none of them to be seen"
-                    .to_owned()
-            }
-            Self::TransparencyToBeSeen => {
-                "taken as transparency: as opacity it would leave none of them to be seen"
-                    .to_owned()
-            }
-        }
-    }
 }
 
 impl Look {
@@ -186,7 +90,9 @@ fn opacity(material: &Material, meaning: Tr, notes: &mut LookNotes) -> Option<f3
         return Some(opacity as f32);
     };
     // It is not needed, so it may be anything.
-    let agrees = first_number(tr).is_some_and(|tr| (meaning.opacity(tr) - d).abs() <= SAME);
+    let agrees = tr
+        .number()
+        .is_some_and(|tr| (meaning.opacity(tr) - d).abs() <= SAME);
     if !agrees {
         notes.count(Kind::Disagree, tr, &tr.rest);
     }
@@ -195,7 +101,7 @@ fn opacity(material: &Material, meaning: Tr, notes: &mut LookNotes) -> Option<f3
 
 /// A number from 0 to 1, or brought there.
 fn fraction(statement: &Statement, notes: &mut LookNotes) -> Option<f64> {
-    let Some(number) = first_number(statement) else {
+    let Some(number) = statement.number() else {
         notes.count(Kind::UnreadableOpacity, statement, &statement.rest);
         return None;
     };
@@ -205,15 +111,10 @@ fn fraction(statement: &Statement, notes: &mut LookNotes) -> Option<f64> {
     Some(number.clamp(0.0, 1.0))
 }
 
-/// Of `d 0.5`, or of `d -halo 0.5`.
-fn first_number(statement: &Statement) -> Option<f64> {
-    let mut words = words::words(&statement.rest);
-    numbers::number(words.find(|&word| word != b"-halo")?)
-}
-
 /// What there is to say about the materials of a file, in the order in which it is said.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Kind {
+    Homeless,
     Tr,
     Disagree,
     OpacityClamped,
@@ -261,6 +162,14 @@ impl LookNotes {
         }
     }
 
+    /// Statements that belong to no material.
+    pub(super) fn homeless(&mut self, library: &Library) {
+        if let (1.., line) = library.homeless {
+            let rest = Vec::new();
+            self.count(Kind::Homeless, &Statement { line, rest }, &[]);
+        }
+    }
+
     /// The same file has defined it before.
     pub(super) fn repeated(&mut self, material: &Material) {
         let statement = Statement {
@@ -282,6 +191,7 @@ impl LookNotes {
     fn sentence(&self, kind: Kind, some: &str, word: &str) -> String {
         let tr = self.tr.map(Tr::sentence).unwrap_or_default();
         match kind {
+            Kind::Homeless => "what stands before the first material is skipped".to_owned(),
             Kind::Tr => format!("`Tr` without `d` in {some}: {tr}"),
             Kind::Disagree => {
                 format!("`Tr {word}` does not fit the `d` beside it in {some}: `d` is used")

@@ -1,4 +1,4 @@
-//! MTL files: what they say of the materials that a model uses, resolved to a colour and an opacity each.
+//! The materials that a model uses, resolved to a colour and an opacity each.
 
 use std::collections::HashMap;
 use std::fmt::Write;
@@ -6,41 +6,12 @@ use std::path::Path;
 
 use super::faces::{Faces, Used};
 use super::libraries::Libraries;
-use super::look::{self, Look, LookNotes};
+use super::library::Library;
+use super::look::{Look, LookNotes};
 use super::notes::{Note, Notes};
+use super::transparency::Tr;
 use super::words;
 use crate::scene::source;
-
-/// What a line of a material says, and where.
-#[derive(Clone, Default)]
-pub(super) struct Statement {
-    pub(super) line: usize,
-    pub(super) rest: Vec<u8>,
-}
-
-/// A material as it stands in a file.
-#[derive(Default)]
-pub(super) struct Material {
-    pub(super) name: Vec<u8>,
-    pub(super) line: usize,
-    pub(super) kd: Option<Statement>,
-    pub(super) ka: Option<Statement>,
-    pub(super) d: Option<Statement>,
-    pub(super) tr: Option<Statement>,
-    /// A picture of its colour.
-    pub(super) map_kd: Option<Statement>,
-    /// A picture of its opacity.
-    pub(super) map_d: Option<Statement>,
-    /// Any other picture.
-    pub(super) map: Option<Statement>,
-}
-
-/// A material file.
-pub(super) struct Library {
-    pub(super) materials: Vec<Material>,
-    /// What the comments before the first material say, in lower case.
-    pub(super) head: Vec<u8>,
-}
 
 /// The materials that a model uses, as `tobj` reads them: `newmtl`, `Kd` and `d`, their names the numbers of [`Faces`].
 pub(super) fn load(
@@ -54,8 +25,9 @@ pub(super) fn load(
     for file in Libraries::find(path, &faces.libraries, notes) {
         match source::read(&file) {
             Ok(bytes) => {
-                let mut library = Library::read(&bytes, said, &file);
-                library.head.extend(faces.head.to_ascii_lowercase());
+                let is_used = |name: &[u8]| numbers.contains_key(name);
+                let mut library = Library::read(&bytes, is_used);
+                library.head.extend_from_slice(&faces.head);
                 resolve(&library, &file, &numbers, &mut looks, said);
             }
             Err(error) => {
@@ -85,8 +57,9 @@ fn resolve(
     looks: &mut [Option<Look>],
     said: &mut Vec<String>,
 ) {
-    let meaning = look::meaning_of_tr(library);
+    let meaning = Tr::of(&library.head, &library.evidence);
     let mut notes = LookNotes::default();
+    notes.homeless(library);
     let mut here = vec![false; looks.len()];
     for material in &library.materials {
         let Some(&number) = numbers.get(&material.name[..]) else {
@@ -144,58 +117,4 @@ fn text(looks: &[Option<Look>]) -> String {
         }
     }
     text
-}
-
-impl Library {
-    fn read(bytes: &[u8], said: &mut Vec<String>, file: &Path) -> Self {
-        let mut library = Self {
-            materials: Vec::new(),
-            head: Vec::new(),
-        };
-        let mut homeless = Vec::new();
-        for (line, text) in words::lines(bytes) {
-            let (keyword, rest) = words::split(&text);
-            if keyword.first().is_none_or(|&first| first == b'#') {
-                if library.materials.is_empty() {
-                    library.head.extend(text.to_ascii_lowercase());
-                }
-            } else if keyword.eq_ignore_ascii_case(b"newmtl") {
-                let name = rest.to_owned();
-                library.materials.push(Material {
-                    name,
-                    line,
-                    ..Material::default()
-                });
-            } else if let Some(material) = library.materials.last_mut() {
-                material.statement(keyword, line, rest);
-            } else {
-                homeless.push(line);
-            }
-        }
-        if let Some(first) = homeless.first() {
-            let some = super::counted(homeless.len(), "line");
-            let path = file.display();
-            said.push(format!(
-                "{path}:{first}: {some} before the first material skipped"
-            ));
-        }
-        library
-    }
-}
-
-impl Material {
-    fn statement(&mut self, keyword: &[u8], line: usize, rest: &[u8]) {
-        let slot = match &keyword.to_ascii_lowercase()[..] {
-            b"kd" => &mut self.kd,
-            b"ka" => &mut self.ka,
-            b"d" => &mut self.d,
-            b"tr" => &mut self.tr,
-            b"map_kd" => &mut self.map_kd,
-            b"map_d" | b"map_tr" | b"map_opacity" => &mut self.map_d,
-            other if other.starts_with(b"map_") => &mut self.map,
-            _ => return,
-        };
-        let rest = rest.to_owned();
-        *slot = Some(Statement { line, rest });
-    }
 }

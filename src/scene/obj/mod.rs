@@ -9,15 +9,18 @@
 
 mod assemble;
 mod corner;
+mod cover;
 mod even_odd;
 mod faces;
 mod libraries;
+mod library;
 mod look;
 mod materials;
 mod notes;
 mod numbers;
 mod polygon;
 mod smoothing;
+mod transparency;
 mod vertices;
 mod words;
 
@@ -28,7 +31,7 @@ use super::source;
 use crate::error::{Error, Place, Result};
 use assemble::Legend;
 use faces::Faces;
-use notes::{Note, Notes};
+use notes::{Note, Notes, counted};
 use vertices::Vertices;
 
 /// What a scene file says about a model's looks; it comes before the materials and after vertex colours.
@@ -153,10 +156,4 @@ fn slipped(path: &Path, error: tobj::LoadError) -> Error {
         format!("the model cannot be read: {error}"),
         "Export it again, as plain triangles; and please report this message with the file.",
     )
-}
-
-/// `1 face`, `2 faces`.
-fn counted(count: usize, thing: &str) -> String {
-    let plural = if count == 1 { "" } else { "s" };
-    format!("{count} {thing}{plural}")
 }

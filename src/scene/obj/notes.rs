@@ -3,7 +3,6 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use super::counted;
 use super::words;
 
 /// What was skipped, repaired or assumed, in the order in which it is said.
@@ -188,4 +187,10 @@ fn and_others(count: usize) -> String {
         2 => " and 1 other are".to_owned(),
         some => format!(" and {} others are", some - 1),
     }
+}
+
+/// `1 face`, `2 faces`.
+pub(super) fn counted(count: usize, thing: &str) -> String {
+    let plural = if count == 1 { "" } else { "s" };
+    format!("{count} {thing}{plural}")
 }

@@ -77,6 +77,15 @@ pub(super) fn shown(word: &[u8]) -> String {
     shown
 }
 
+/// Keeps a comment at a file's beginning in lower case, unless there is much there already: where a file comes from
+/// is said early.
+pub(super) fn keep_head(comment: &[u8], head: &mut Vec<u8>) {
+    const MOST: usize = 4096;
+    if head.len() < MOST {
+        head.extend(comment.iter().take(MOST).map(u8::to_ascii_lowercase));
+    }
+}
+
 /// Without the space around it.
 pub(super) fn trim(mut bytes: &[u8]) -> &[u8] {
     while let [first, rest @ ..] = bytes
