@@ -83,7 +83,7 @@ impl Scene {
     /// # Errors
     /// [`Error::Input`] with the file, and as far as known the line and the token, for everything that is wrong with it
     /// or with a file it names: it is not there, too large ([`MAX_BYTES`]), not text, truncated; a key is unknown, a
-    /// value of the wrong type or out of range; a vertex is not finite, an index out of range.
+    /// value of the wrong type or out of range; a face names a vertex that is not there, or a model has none to draw.
     pub fn load(path: impl AsRef<Path>) -> Result<Self> {
         Self::load_at(path, None)
     }

@@ -9,7 +9,7 @@ use super::Folder;
 pub const CORNERS: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
 /// The model `m.obj` of this content next to `m.mtl` of that content.
-pub fn with_materials(model: &str, materials: &str) -> Scene {
+pub fn with_materials(model: impl AsRef<[u8]>, materials: impl AsRef<[u8]>) -> Scene {
     Folder::new()
         .with("m.obj", model)
         .with("m.mtl", materials)

@@ -3,7 +3,6 @@
 use glam::{DVec3, Vec3};
 
 use super::Paint;
-use super::check::NO_COLOR;
 use crate::fragment::Rgba;
 use crate::scene::mesh::{Mesh, Vertex};
 use crate::scene::normals;
@@ -11,59 +10,65 @@ use crate::scene::normals;
 /// The colour of what has no other.
 const DEFAULT_COLOR: [f32; 3] = [1.0, 1.0, 1.0];
 
+/// What the numbers stand for that `tobj` was given in place of names and colours.
+pub(super) struct Legend {
+    pub(super) names: Vec<String>,
+    pub(super) materials: Vec<String>,
+    pub(super) colors: Vec<Option<[f32; 4]>>,
+}
+
 /// One mesh per run, in their order.
 pub(super) fn meshes(
     models: Vec<tobj::Model>,
     materials: &[tobj::Material],
+    legend: &Legend,
     paint: &Paint,
 ) -> Vec<Mesh> {
     let drawn = models.into_iter().filter(|m| !m.mesh.indices.is_empty());
     drawn
         .map(|model| {
             let material = model.mesh.material_id.and_then(|id| materials.get(id));
-            mesh(&model, material, paint)
+            mesh(&model, material, legend, paint)
         })
         .collect()
 }
 
-fn mesh(model: &tobj::Model, material: Option<&tobj::Material>, paint: &Paint) -> Mesh {
-    let positions: Vec<DVec3> = vectors(&model.mesh.positions)
-        .into_iter()
-        .map(DVec3::from)
-        .collect();
+fn mesh(
+    model: &tobj::Model,
+    material: Option<&tobj::Material>,
+    legend: &Legend,
+    paint: &Paint,
+) -> Mesh {
+    let positions: Vec<DVec3> = vectors(&model.mesh.positions).collect();
     let triangles: Vec<[u32; 3]> = model.mesh.indices.as_chunks().0.to_vec();
-    let normals = all_normals(&positions, &vectors(&model.mesh.normals), &triangles);
-    let color = paint
-        .color
-        .or(material.and_then(|m| m.diffuse.or(m.ambient)))
-        .unwrap_or(DEFAULT_COLOR);
-    let alpha = paint.opacity.or(material.and_then(opacity)).unwrap_or(1.0);
-    let own_colors = vectors(&model.mesh.vertex_color);
-    let vertices = positions.iter().zip(normals).enumerate();
-    let vertices = vertices.map(|(i, (&position, normal))| {
-        let own = own_colors.get(i).filter(|own| own.x != NO_COLOR);
-        let [r, g, b] = own.map_or(color, Vec3::to_array);
+    let given: Vec<DVec3> = vectors(&model.mesh.normals).collect();
+    let normals = all_normals(&positions, &given, &triangles);
+    let diffuse = || Some(material?.diffuse?.map(|channel| channel as f32));
+    let color = paint.color.or_else(diffuse).unwrap_or(DEFAULT_COLOR);
+    let dissolve = || Some(material?.dissolve? as f32);
+    let alpha = paint.opacity.or_else(dissolve).unwrap_or(1.0);
+    let mut own_colors = vectors(&model.mesh.vertex_color).map(|place| {
+        let own = legend.colors.get(place.x as usize);
+        own.copied().flatten()
+    });
+    let vertices = positions.iter().zip(normals).map(|(&position, normal)| {
+        let own = own_colors.next().flatten();
+        let [r, g, b, own_alpha] = own.unwrap_or([color[0], color[1], color[2], 1.0]);
         Vertex {
             position,
             normal,
-            color: Rgba::new(r, g, b, alpha),
+            color: Rgba::new(r, g, b, alpha * own_alpha),
         }
     });
     Mesh {
         inside: color,
-        ..Mesh::new(name(model, material), vertices.collect(), triangles)
+        ..Mesh::new(name(model, material, legend), vertices.collect(), triangles)
     }
 }
 
-/// `d`, or 1 less `Tr`, which `tobj` hands on as it stands.
-fn opacity(material: &tobj::Material) -> Option<f32> {
-    let transparency = || material.unknown_param.get("Tr")?.parse::<f32>().ok();
-    material.dissolve.or_else(|| Some(1.0 - transparency()?))
-}
-
 /// The file's normals at unit length; smooth ones where it has none, or one of length zero.
-fn all_normals(positions: &[DVec3], given: &[Vec3], triangles: &[[u32; 3]]) -> Vec<Vec3> {
-    let unit = |normal: &Vec3| normal.as_dvec3().try_normalize().map(|unit| unit.as_vec3());
+fn all_normals(positions: &[DVec3], given: &[DVec3], triangles: &[[u32; 3]]) -> Vec<Vec3> {
+    let unit = |normal: &DVec3| normal.try_normalize().map(|unit| unit.as_vec3());
     let given: Vec<Option<Vec3>> = given.iter().map(unit).collect();
     if given.len() == positions.len() && given.iter().all(Option::is_some) {
         return given.into_iter().flatten().collect();
@@ -76,17 +81,24 @@ fn all_normals(positions: &[DVec3], given: &[Vec3], triangles: &[[u32; 3]]) -> V
         .collect()
 }
 
-fn vectors(numbers: &[f32]) -> Vec<Vec3> {
+fn vectors(numbers: &[f64]) -> impl Iterator<Item = DVec3> {
     let (triples, _) = numbers.as_chunks();
-    triples
-        .iter()
-        .map(|&triple| Vec3::from_array(triple))
-        .collect()
+    triples.iter().map(|&triple| DVec3::from_array(triple))
 }
 
-fn name(model: &tobj::Model, material: Option<&tobj::Material>) -> String {
+fn name(model: &tobj::Model, material: Option<&tobj::Material>, legend: &Legend) -> String {
+    // What stands before the first name is called as `tobj` calls it.
+    let name = named(&legend.names, &model.name);
+    let name = name.map_or("unnamed_object", String::as_str);
+    let material = material.and_then(|material| named(&legend.materials, &material.name));
     match material {
-        Some(material) => format!("{} ({})", model.name, material.name),
-        None => model.name.clone(),
+        Some(material) => format!("{name} ({material})"),
+        None => name.to_owned(),
     }
+}
+
+/// The name that a number stands for, unless it is empty.
+fn named<'a>(names: &'a [String], number: &str) -> Option<&'a String> {
+    let number: usize = number.parse().ok()?;
+    names.get(number).filter(|name| !name.is_empty())
 }

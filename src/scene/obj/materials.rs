@@ -1,174 +1,122 @@
-//! MTL files: checked line by line, and passed on with nothing but what is used here.
+//! The materials that a model uses, resolved to a colour and an opacity each.
 
-use std::collections::BTreeSet;
-use std::path::{Path, PathBuf};
+use std::collections::HashMap;
+use std::fmt::Write;
+use std::path::Path;
 
-use super::check::Checked;
-use super::words::{self, Line};
-use crate::error::Result;
+use super::faces::{Faces, Used};
+use super::libraries::Libraries;
+use super::library::Library;
+use super::look::{Look, LookNotes};
+use super::notes::{Note, Notes};
+use super::transparency::Tr;
+use super::words;
 use crate::memory::MemoryLimit;
 use crate::scene::source;
 
-/// All materials of a model, in one MTL text of `newmtl`, `Kd`, `Ka`, `d` and `Tr`.
-#[derive(Default)]
-pub(super) struct Materials {
-    pub(super) text: String,
-    names: BTreeSet<String>,
-    /// Files that name textures.
-    textured: usize,
+/// The materials that a model uses, as `tobj` reads them: `newmtl`, `Kd` and `d`, their names the numbers of [`Faces`].
+pub(super) fn load(
+    path: &Path,
+    faces: &Faces,
+    memory: &MemoryLimit,
+    notes: &mut Notes,
+    said: &mut Vec<String>,
+) -> String {
+    let numbers = numbers(&faces.materials);
+    let mut looks: Vec<Option<Look>> = vec![None; numbers.len()];
+    for file in Libraries::find(path, &faces.libraries, notes) {
+        match source::read(&file, memory) {
+            Ok(bytes) => {
+                let is_used = |name: &[u8]| numbers.contains_key(name);
+                let mut library = Library::read(&bytes, is_used);
+                library.head.extend_from_slice(&faces.head);
+                resolve(&library, &file, &numbers, &mut looks, said);
+            }
+            Err(error) => {
+                let what = error.to_string();
+                let what = what.lines().next().unwrap_or_default();
+                said.push(format!("{what}; default materials are used"));
+            }
+        }
+    }
+    resolve_without_comment(&faces.materials, &numbers, &mut looks);
+    for (used, _) in faces
+        .materials
+        .iter()
+        .zip(&looks)
+        .filter(|(_, look)| look.is_none())
+    {
+        notes.count(Note::MaterialUndefined, used.line, &used.name);
+    }
+    text(&looks)
 }
 
-impl Materials {
-    /// Reads the material files of a model. What is missing is said in a notice.
-    pub(super) fn load(
-        path: &Path,
-        model: &Checked,
-        notices: &mut Vec<String>,
-        memory: &MemoryLimit,
-    ) -> Result<Self> {
-        let mut materials = Self::default();
-        let folder = path.parent().unwrap_or(Path::new(""));
-        let mut seen = BTreeSet::new();
-        for (names, line) in &model.libraries {
-            for library in files(folder, names) {
-                if !library.exists() {
-                    notices.push(format!(
-                        "{}:{line}: the material file '{}' is missing, default materials are used",
-                        path.display(),
-                        library.display()
-                    ));
-                } else if seen.insert(library.clone()) {
-                    materials.read(&library, memory)?;
-                }
-            }
-        }
-        notices.extend(materials.undefined(path, model));
-        if materials.textured > 0 {
-            let display = path.display();
-            notices.push(format!("{display}: textures of its materials are not used"));
-        }
-        Ok(materials)
-    }
-
-    /// A sentence about the materials that are used and not there, if any.
-    fn undefined(&self, path: &Path, model: &Checked) -> Option<String> {
-        let used = model.materials.iter();
-        let undefined = used.filter(|(name, _)| !self.names.contains(*name));
-        let others = undefined.clone().count().saturating_sub(1);
-        let (name, line) = undefined.min_by_key(|(_, line)| **line)?;
-        let and_others = match others {
-            0 => " is".to_owned(),
-            1 => " and 1 other are".to_owned(),
-            some => format!(" and {some} others are"),
+/// Gives the materials of a library that are used and not defined by one before their looks.
+fn resolve(
+    library: &Library,
+    file: &Path,
+    numbers: &HashMap<&[u8], usize>,
+    looks: &mut [Option<Look>],
+    said: &mut Vec<String>,
+) {
+    let meaning = Tr::of(&library.head, &library.evidence);
+    let mut notes = LookNotes::default();
+    notes.homeless(library);
+    let mut here = vec![false; looks.len()];
+    for material in &library.materials {
+        let Some(&number) = numbers.get(&material.name[..]) else {
+            continue;
         };
-        Some(format!(
-            "{}:{line}: the material '{name}'{and_others} not defined, the default material is used",
-            path.display()
-        ))
-    }
-
-    fn read(&mut self, path: &Path, memory: &MemoryLimit) -> Result<()> {
-        let bytes = source::read(path, memory)?;
-        let mut textured = false;
-        let mut named = false;
-        for (number, line) in words::lines(&bytes) {
-            let (keyword, rest) = words::split(&line);
-            match keyword {
-                b"newmtl" => {
-                    self.start(&words::text(path, number, rest)?)?;
-                    named = true;
-                }
-                b"Kd" | b"Ka" | b"d" | b"Tr" => {
-                    let line = words::text(path, number, rest)?;
-                    if !named {
-                        return Err(line.wrong(
-                            line.rest,
-                            "this belongs to no material",
-                            "Put a `newmtl` line with a name before it.",
-                        ));
-                    }
-                    self.property(keyword, &line)?;
-                }
-                _ => textured |= keyword.starts_with(b"map_"),
-            }
-        }
-        self.textured += usize::from(textured);
-        Ok(())
-    }
-
-    fn start(&mut self, line: &Line) -> Result<()> {
-        if line.rest.is_empty() {
-            return Err(line.wrong("newmtl", "the material's name is missing", "Name it."));
-        }
-        self.names.insert(line.rest.to_owned());
-        self.keep("newmtl", line.rest);
-        Ok(())
-    }
-
-    fn property(&mut self, keyword: &[u8], line: &Line) -> Result<()> {
-        match keyword {
-            b"Kd" => self.color("Kd", line),
-            b"Ka" => self.color("Ka", line),
-            b"d" => self.fraction("d", line),
-            _ => self.fraction("Tr", line),
+        if here[number] {
+            notes.repeated(material);
+        } else if looks[number].is_none() {
+            looks[number] = Some(Look::of(material, meaning, &mut notes));
+            here[number] = true;
         }
     }
+    said.extend(notes.sentences(file));
+}
 
-    /// Three channels, or one for all three.
-    fn color(&mut self, keyword: &str, line: &Line) -> Result<()> {
-        if let Some(word @ ("spectral" | "xyz")) = line.words().next() {
-            return Err(line.wrong(
-                word,
-                "colours other than red, green and blue are not read",
-                "Give three numbers from 0 to 1.",
-            ));
-        }
-        let channels: Vec<f32> = line
-            .words()
-            .map(|word| line.fraction(word, "a colour channel"))
-            .collect::<Result<_>>()?;
-        let [r, g, b] = match channels[..] {
-            [grey] => [grey; 3],
-            [r, g, b] => [r, g, b],
-            _ => {
-                return Err(line.wrong(
-                    line.rest,
-                    format!("a colour has 3 numbers, this has {}", channels.len()),
-                    "Give red, green and blue. If it is the last line, the file was cut off.",
-                ));
-            }
-        };
-        self.keep(keyword, &format!("{r} {g} {b}"));
-        Ok(())
+/// A number for each name that is used; and for each before a comment, `usemtl red # as before` may mean the material
+/// `red`.
+fn numbers(used: &[Used]) -> HashMap<&[u8], usize> {
+    let names = used.iter().map(|used| &used.name[..]);
+    let plain = names.clone().filter_map(words::before_comment);
+    let mut numbers = HashMap::new();
+    for name in names.chain(plain) {
+        let next = numbers.len();
+        numbers.entry(name).or_insert(next);
     }
+    numbers
+}
 
-    /// `d 0.5`, or `d -halo 0.5`, whose dependence on the viewing angle is left out.
-    fn fraction(&mut self, keyword: &str, line: &Line) -> Result<()> {
-        let Some(word) = line.words().find(|&word| word != "-halo") else {
-            return Err(line.wrong(
-                keyword,
-                "the number is missing",
-                "Give one from 0 to 1. If it is the last line, the file was cut off.",
-            ));
-        };
-        let number = line.fraction(word, "an opacity or transparency")?;
-        self.keep(keyword, &number.to_string());
-        Ok(())
-    }
-
-    fn keep(&mut self, keyword: &str, rest: &str) {
-        for part in [keyword, " ", rest, "\n"] {
-            self.text.push_str(part);
+/// Gives what is defined under its name before a comment only that look.
+fn resolve_without_comment(
+    used: &[Used],
+    numbers: &HashMap<&[u8], usize>,
+    looks: &mut [Option<Look>],
+) {
+    for (number, used) in used.iter().enumerate() {
+        let plain = words::before_comment(&used.name).map(|name| numbers[name]);
+        if looks[number].is_none() {
+            looks[number] = plain.and_then(|plain| looks[plain]);
         }
     }
 }
 
-/// The files that a `mtllib` line names: its rest as one name, which may have spaces, or else each of its words.
-fn files(folder: &Path, names: &str) -> Vec<PathBuf> {
-    let one = folder.join(names);
-    if one.exists() && !names.is_empty() {
-        return vec![one];
+fn text(looks: &[Option<Look>]) -> String {
+    let mut text = String::new();
+    for (number, look) in looks.iter().enumerate() {
+        if let Some(Look { color, opacity }) = look {
+            // Writing to a string cannot fail.
+            let _ = writeln!(text, "newmtl {number}");
+            if let Some([r, g, b]) = color {
+                let _ = writeln!(text, "Kd {r:e} {g:e} {b:e}");
+            }
+            if let Some(opacity) = opacity {
+                let _ = writeln!(text, "d {opacity:e}");
+            }
+        }
     }
-    let words = names.split_whitespace();
-    words.map(|name| folder.join(name)).collect()
+    text
 }

@@ -1,16 +1,27 @@
 //! Wavefront models: OBJ and its MTL.
 //!
-//! `tobj` is the reader. It says what is wrong without saying where, and takes some of what models hold for something
-//! else: lines (`l`) for polygons, colours or normals that only some vertices have for those of other vertices, a
-//! `Kd` of one number for a reason to panic. So every file is first gone through line by line ([`check`],
-//! [`materials`]): what is wrong is reported with its line, and what goes on to `tobj` is plain.
+//! `tobj` is the reader. It says what is wrong without saying where, stops at much that the picture does not need, and
+//! takes some of what models hold for something else: lines (`l`) for polygons, every polygon for a convex one, colours
+//! or normals that only some vertices have for those of other vertices, a `Kd` of one number for a reason to panic. So
+//! every file is first gone through line by line: [`vertices`], then [`faces`], then its [`materials`]. What the picture
+//! needs and cannot have is reported with its line, what it does not need is counted ([`notes`]), and what goes on to
+//! `tobj` is plain: triangles and convex polygons, and numbers for names, which may be in any encoding.
 
 mod assemble;
-mod check;
-mod face;
+mod corner;
+mod cover;
+mod even_odd;
+mod faces;
+mod libraries;
+mod library;
+mod look;
 mod materials;
+mod notes;
 mod numbers;
-mod skipped;
+mod polygon;
+mod smoothing;
+mod transparency;
+mod vertices;
 mod words;
 
 use std::path::Path;
@@ -19,7 +30,10 @@ use super::mesh::Mesh;
 use super::source;
 use crate::error::{Error, Place, Result};
 use crate::memory::MemoryLimit;
-use materials::Materials;
+use assemble::Legend;
+use faces::Faces;
+use notes::{Note, Notes, counted};
+use vertices::Vertices;
 
 /// What a scene file says about a model's looks; it comes before the materials and after vertex colours.
 #[derive(Clone, Copy, Debug, Default)]
@@ -39,16 +53,31 @@ pub(super) struct Model {
 /// Reads a model.
 pub(super) fn load(path: &Path, paint: &Paint, memory: &MemoryLimit) -> Result<Model> {
     let bytes = source::read(path, memory)?;
-    let checked = check::check(path, &bytes)?;
+    let mut notes = Notes::default();
+    let vertices = Vertices::of(&bytes, &mut notes);
+    let faces = Faces::of(path, &bytes, &vertices, &mut notes)?;
+    if faces.count == 0 {
+        return Err(no_faces(path, bytes.is_empty(), &vertices, &notes));
+    }
     drop(bytes);
-    let mut notices = checked.skipped.notices(path);
-    let materials = Materials::load(path, &checked, &mut notices, memory)?;
-    let (models, list) = read(path, &checked.text, &materials)?;
-    let mut meshes = assemble::meshes(models, &list, paint);
+    let mut of_materials = Vec::new();
+    let materials = materials::load(path, &faces, memory, &mut notes, &mut of_materials);
+    let (models, list) = read(path, &faces.text, &materials)?;
+    let used = faces.materials.iter();
+    let legend = Legend {
+        materials: used.map(|used| words::shown(&used.name)).collect(),
+        names: faces.names,
+        colors: faces.colors,
+    };
+    let mut meshes = assemble::meshes(models, &list, &legend, paint);
     let degenerate: usize = meshes.iter_mut().map(Mesh::drop_degenerate).sum();
+    let mut notices: Vec<String> = notes.sentences(path).chain(of_materials).collect();
     if degenerate > 0 {
         let some = counted(degenerate, "triangle");
         notices.push(format!("{}: {some} without area skipped", path.display()));
+    }
+    if paint.opacity.is_none() {
+        notices.extend(invisible(path, &meshes));
     }
     Ok(Model { meshes, notices })
 }
@@ -57,7 +86,7 @@ pub(super) fn load(path: &Path, paint: &Paint, memory: &MemoryLimit) -> Result<M
 fn read(
     path: &Path,
     text: &str,
-    materials: &Materials,
+    materials: &str,
 ) -> Result<(Vec<tobj::Model>, Vec<tobj::Material>)> {
     let options = tobj::LoadOptions {
         single_index: true,
@@ -66,23 +95,66 @@ fn read(
         ignore_lines: true,
     };
     let (models, list) = tobj::load_obj_buf(&mut text.as_bytes(), &options, |_| {
-        tobj::load_mtl_buf(&mut materials.text.as_bytes())
+        tobj::load_mtl_buf(&mut materials.as_bytes())
     })
     .map_err(|error| slipped(path, error))?;
     Ok((models, list.map_err(|error| slipped(path, error))?))
 }
 
-/// An error that the check should have found, with a line. Better without one than not at all.
+/// A sentence about the meshes of which nothing can be seen, if any.
+fn invisible(path: &Path, meshes: &[Mesh]) -> Option<String> {
+    let is_clear = |mesh: &&Mesh| mesh.vertices.iter().all(|vertex| vertex.color.a == 0.0);
+    let clear: Vec<&Mesh> = meshes.iter().filter(is_clear).collect();
+    let first = clear.first()?;
+    let some = match (clear.len(), meshes.len()) {
+        (1, 1) => "the only mesh is".to_owned(),
+        (count, all) if count == all => format!("all {count} meshes are"),
+        (1, all) => format!("1 mesh of {all} is"),
+        (count, all) => format!("{count} meshes of {all} are"),
+    };
+    Some(format!(
+        "{}: {some} wholly transparent and invisible, the first is '{}': give `opacity` in a scene file if that is not meant",
+        path.display(),
+        first.name
+    ))
+}
+
+/// The error of a model of which nothing would be drawn.
+fn no_faces(path: &Path, is_empty: bool, vertices: &Vertices, notes: &Notes) -> Error {
+    let other = [Note::LineElement, Note::PointElement, Note::FreeForm];
+    let first = [
+        Note::FaceOfUnreadable,
+        Note::UnreadableVertex,
+        Note::FewCorners,
+    ];
+    if notes.of(Note::FaceOfUnreadable) + notes.of(Note::FewCorners) > 0 {
+        let first = first.iter().rev().find_map(|&note| notes.first(note));
+        let (line, word) = first.unwrap_or_default();
+        let what = match notes.of(Note::UnreadableVertex) {
+            0 => "the model's faces have fewer than three corners",
+            _ => "none of the model's faces can be drawn: vertices have no place that can be read",
+        };
+        let remedy = "Write numbers with a point, and finite: 0.5, -3 or 1e-4. If the file was cut off, get it again.";
+        return Error::input(Place::line(path, line).token(word), what, remedy);
+    }
+    let what = if is_empty {
+        "the file is empty"
+    } else if other.iter().any(|&note| notes.of(note) > 0) {
+        "the model has no faces, only lines, points or free-form curves"
+    } else if !vertices.positions.is_empty() {
+        "the model has no faces, only vertices"
+    } else {
+        "the model has no faces and no vertices"
+    };
+    let remedy = "Give a model with faces (`f`). If this one should have some, get the file again.";
+    Error::input(Place::file(path), what, remedy)
+}
+
+/// An error that should have been found before, with a line. Better without one than not at all.
 fn slipped(path: &Path, error: tobj::LoadError) -> Error {
     Error::input(
         Place::file(path),
         format!("the model cannot be read: {error}"),
         "Export it again, as plain triangles; and please report this message with the file.",
     )
-}
-
-/// `1 face`, `2 faces`.
-fn counted(count: usize, thing: &str) -> String {
-    let plural = if count == 1 { "" } else { "s" };
-    format!("{count} {thing}{plural}")
 }

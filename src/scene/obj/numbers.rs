@@ -1,87 +1,78 @@
-//! The lines that hold numbers only: `v`, `vn`, `vt`.
+//! Numbers as they stand in a file.
 
-use super::words::Line;
-use crate::error::{Error, Result};
+use super::words;
 
-/// What follows the three coordinates of a vertex.
-#[derive(Clone, Copy, PartialEq)]
-pub(super) enum Extra {
-    Nothing,
-    /// The coordinates are to be divided by it.
-    Weight,
-    Color,
+/// The most numbers of a line that mean something.
+const MOST: usize = 7;
+
+/// The numbers of a line.
+pub(super) struct Numbers<'a> {
+    /// The first of them, each as it stands, and `None` where it is not a finite number.
+    slots: [Option<f64>; MOST],
+    words: [&'a [u8]; MOST],
+    /// How many there are.
+    pub(super) count: usize,
+    /// The first one that was written with a decimal comma.
+    pub(super) comma: Option<&'a [u8]>,
 }
 
-/// Three coordinates (divided by their weight, if there is one), and what follows them.
-pub(super) fn vertex(line: &Line) -> Result<([f32; 3], Extra)> {
-    let (numbers, count) = numbers(line)?;
-    let [x, y, z, w, ..] = numbers;
-    match count {
-        3 => Ok(([x, y, z], Extra::Nothing)),
-        4 => {
-            let divided = [x / w, y / w, z / w];
-            if divided.iter().all(|number| number.is_finite()) {
-                return Ok((divided, Extra::Weight));
+impl<'a> Numbers<'a> {
+    /// Reads what follows a keyword.
+    pub(super) fn of(rest: &'a [u8]) -> Self {
+        let mut numbers = Self {
+            slots: [None; MOST],
+            words: [&[]; MOST],
+            count: 0,
+            comma: None,
+        };
+        for word in words::words(rest) {
+            if numbers.count < MOST {
+                let number = plain(word).or_else(|| {
+                    let number = with_comma(word)?;
+                    numbers.comma.get_or_insert(word);
+                    Some(number)
+                });
+                numbers.slots[numbers.count] = number;
+                numbers.words[numbers.count] = word;
             }
-            let word = line.words().nth(3).unwrap_or_default();
-            Err(line.wrong(
-                word,
-                "a weight by which the coordinates cannot be divided",
-                "Give a larger weight, or none.",
-            ))
+            numbers.count += 1;
         }
-        6 => {
-            for word in line.words().skip(3) {
-                line.fraction(word, "a colour channel")?;
-            }
-            Ok(([x, y, z], Extra::Color))
+        numbers
+    }
+
+    /// Some numbers in a row, from this one on, if they are there and finite.
+    pub(super) fn take<const N: usize>(&self, first: usize) -> Option<[f64; N]> {
+        let mut taken = [0.0; N];
+        for (taken, slot) in taken.iter_mut().zip(self.slots.get(first..)?) {
+            *taken = (*slot)?;
         }
-        _ => Err(wrong_count(
-            line,
-            "a vertex has 3 coordinates, then nothing, a weight, or red, green and blue",
-            count,
-        )),
+        (first + N <= self.count).then_some(taken)
+    }
+
+    /// A word that is not a finite number, from this one on, to be shown.
+    pub(super) fn unreadable(&self, first: usize) -> Option<&'a [u8]> {
+        let count = self.count.min(MOST);
+        let bad = (first..count).find(|&i| self.slots[i].is_none())?;
+        Some(self.words[bad])
     }
 }
 
-/// Three numbers.
-pub(super) fn normal(line: &Line) -> Result<()> {
-    match numbers(line)?.1 {
-        3 => Ok(()),
-        count => Err(wrong_count(line, "a normal has 3 numbers", count)),
-    }
+/// One number as it stands.
+pub(super) fn number(word: &[u8]) -> Option<f64> {
+    plain(word).or_else(|| with_comma(word))
 }
 
-/// One to three numbers.
-pub(super) fn texture(line: &Line) -> Result<()> {
-    match numbers(line)?.1 {
-        1..=3 => Ok(()),
-        count => Err(wrong_count(
-            line,
-            "a texture coordinate has 1 to 3 numbers",
-            count,
-        )),
-    }
+fn plain(word: &[u8]) -> Option<f64> {
+    let number: f64 = std::str::from_utf8(word).ok()?.parse().ok()?;
+    number.is_finite().then_some(number)
 }
 
-/// The first six numbers of a line, and how many there are.
-fn numbers(line: &Line) -> Result<([f32; 6], usize)> {
-    let mut numbers = [0.0; 6];
-    let mut count = 0;
-    for word in line.words() {
-        let number = line.number(word)?;
-        if let Some(slot) = numbers.get_mut(count) {
-            *slot = number;
-        }
-        count += 1;
+/// `1,5`, as programs write it that ask the computer's language how numbers look.
+fn with_comma(word: &[u8]) -> Option<f64> {
+    let text = std::str::from_utf8(word).ok()?;
+    let (whole, fraction) = text.split_once(',')?;
+    if text.contains('.') || !fraction.starts_with(|first: char| first.is_ascii_digit()) {
+        return None;
     }
-    Ok((numbers, count))
-}
-
-fn wrong_count(line: &Line, wanted: &str, count: usize) -> Error {
-    line.wrong(
-        line.rest,
-        format!("{wanted}; this line has {count} numbers"),
-        "Correct the line. If it is the file's last one, the file was cut off: get it again.",
-    )
+    plain(format!("{whole}.{fraction}").as_bytes())
 }

@@ -1,114 +1,127 @@
-//! Lines, their words, and numbers among them.
+//! Lines and their words. Both are bytes: a name may be in any encoding, and only names may hold other than ASCII.
 
 use std::borrow::Cow;
-use std::path::Path;
 
-use crate::error::{Error, Place, Result};
-
-/// A line and where it stands.
-#[derive(Clone, Copy)]
-pub(super) struct Line<'a> {
-    pub(super) path: &'a Path,
-    /// From 1. Of a line that was continued with a backslash, the first.
-    pub(super) number: usize,
-    /// Without the keyword and the space around it.
-    pub(super) rest: &'a str,
-}
-
-impl Line<'_> {
-    /// Something is wrong with this word of the line.
-    pub(super) fn wrong(&self, token: &str, what: impl Into<String>, remedy: &str) -> Error {
-        Error::input(
-            Place::line(self.path, self.number).token(token),
-            what,
-            remedy,
-        )
-    }
-
-    /// The words before a comment.
-    pub(super) fn words(&self) -> impl Iterator<Item = &str> {
-        self.plain().split_whitespace()
-    }
-
-    /// The line without a comment at its end.
-    pub(super) fn plain(&self) -> &str {
-        let end = self.rest.find('#').unwrap_or(self.rest.len());
-        self.rest[..end].trim_end()
-    }
-
-    /// A finite 32-bit number.
-    pub(super) fn number(&self, word: &str) -> Result<f32> {
-        let number: f32 = word.parse().map_err(|_| {
-            let remedy = "Write it with a point: 0.5, -3 or 1e-4.";
-            self.wrong(word, "not a number", remedy)
-        })?;
-        if number.is_finite() {
-            return Ok(number);
-        }
-        Err(self.wrong(
-            word,
-            "not a finite 32-bit number",
-            "Give a finite one; something went wrong where the file was written.",
-        ))
-    }
-
-    /// A number from 0 to 1.
-    pub(super) fn fraction(&self, word: &str, of: &str) -> Result<f32> {
-        let number = self.number(word)?;
-        if (0.0..=1.0).contains(&number) {
-            return Ok(number);
-        }
-        Err(self.wrong(
-            word,
-            format!("{of} of {number} is not between 0 and 1"),
-            "Give a number from 0 to 1; divide by 255 what goes from 0 to 255.",
-        ))
-    }
-}
-
-/// The lines with their numbers, those that end in a backslash joined with the next. Without line ends.
+/// The lines with their numbers, those that are continued joined with the next. Without line ends, which are LF, CR LF
+/// or CR. Of a line that was continued the number is the first.
 pub(super) fn lines(bytes: &[u8]) -> impl Iterator<Item = (usize, Cow<'_, [u8]>)> {
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
-    let mut raw = bytes.split(|&byte| byte == b'\n').zip(1..);
+    let mut raw = Raw(Some(bytes)).zip(1..);
     std::iter::from_fn(move || {
         let (line, number) = raw.next()?;
-        let mut line = Cow::Borrowed(line.trim_ascii());
-        while let Some(start) = line.strip_suffix(b"\\") {
-            let Some((next, _)) = raw.next() else {
-                line = Cow::Owned(start.to_vec());
-                break;
-            };
-            // In place, so that a file of nothing but continued lines takes linear time.
-            let end = start.len();
-            let joined = line.to_mut();
-            joined[end] = b' ';
-            joined.extend_from_slice(next.trim_ascii());
+        let mut line = Cow::Borrowed(trim(line));
+        let named = holds_a_name(split(&line).0);
+        let mut piece = 0;
+        // Only the newest piece is looked at, so that a file of nothing but continued lines takes linear time.
+        while is_continued(&line[piece..], named) {
+            let end = line.len() - 1;
+            line.to_mut()[end] = b' ';
+            piece = line.len();
+            let Some((next, _)) = raw.next() else { break };
+            line.to_mut().extend_from_slice(trim(next));
         }
         Some((number, line))
     })
 }
 
-/// The keyword, and all that follows it.
-pub(super) fn split(line: &[u8]) -> (&[u8], &[u8]) {
-    let end = line
-        .iter()
-        .position(u8::is_ascii_whitespace)
-        .unwrap_or(line.len());
-    (&line[..end], line[end..].trim_ascii())
+/// Whether this end of a statement goes on in the next line. A comment does not, whatever it ends in: nobody means a
+/// Windows path at its end as a continuation. A name that ends in a backslash is such a path, too, unless the backslash
+/// stands by itself.
+fn is_continued(piece: &[u8], named: bool) -> bool {
+    let Some(before) = piece.strip_suffix(b"\\") else {
+        return false;
+    };
+    let alone = before.last().is_none_or(is_space);
+    (alone || !named) && !before.contains(&b'#')
 }
 
-/// The part of a line after its keyword, as text.
-pub(super) fn text<'a>(path: &'a Path, number: usize, rest: &'a [u8]) -> Result<Line<'a>> {
-    match std::str::from_utf8(rest) {
-        Ok(rest) => Ok(Line { path, number, rest }),
-        Err(error) => {
-            let valid = String::from_utf8_lossy(&rest[error.valid_up_to()..]);
-            let word = valid.split_whitespace().next().unwrap_or_default();
-            Err(Error::input(
-                Place::line(path, number).token(word),
-                "this is not UTF-8 text",
-                "Save the file as UTF-8; if it is not a text file, give the right one.",
-            ))
-        }
+/// Whether a name or a path follows this keyword.
+fn holds_a_name(keyword: &[u8]) -> bool {
+    matches!(keyword, b"o" | b"g" | b"usemtl" | b"mtllib" | b"newmtl")
+        || keyword.starts_with(b"map_")
+}
+
+/// The keyword, and all that follows it.
+pub(super) fn split(line: &[u8]) -> (&[u8], &[u8]) {
+    let end = line.iter().position(is_space).unwrap_or(line.len());
+    (&line[..end], trim(&line[end..]))
+}
+
+/// The words before a comment. A `#` after a point starts none: `1.#INF` is what some programs write of what is no
+/// number.
+pub(super) fn words(rest: &[u8]) -> impl Iterator<Item = &[u8]> {
+    let starts = |at: &usize| rest[*at] == b'#' && !rest[..*at].ends_with(b".");
+    let end = (0..rest.len()).find(starts).unwrap_or(rest.len());
+    rest[..end].split(is_space).filter(|word| !word.is_empty())
+}
+
+/// A name before a comment that stands apart from it; `None` if there is no such comment.
+pub(super) fn before_comment(name: &[u8]) -> Option<&[u8]> {
+    let pairs = name.windows(2);
+    let at = pairs
+        .enumerate()
+        .find(|(_, pair)| is_space(&pair[0]) && pair[1] == b'#')?;
+    Some(trim(&name[..at.0]))
+}
+
+/// A word for people: cut, for that of a binary file may be a megabyte, and with signs for bytes that are no UTF-8.
+pub(super) fn shown(word: &[u8]) -> String {
+    const MOST: usize = 60;
+    // A character has at most four bytes.
+    let head = &word[..word.len().min(4 * MOST)];
+    let text = String::from_utf8_lossy(head);
+    let mut shown: String = text.chars().take(MOST).collect();
+    if head.len() < word.len() || shown.len() < text.len() {
+        shown.push('…');
+    }
+    shown
+}
+
+/// Keeps a comment at a file's beginning in lower case, unless there is much there already: where a file comes from
+/// is said early.
+pub(super) fn keep_head(comment: &[u8], head: &mut Vec<u8>) {
+    const MOST: usize = 4096;
+    if head.len() < MOST {
+        head.extend(comment.iter().take(MOST).map(u8::to_ascii_lowercase));
+    }
+}
+
+/// Without the space around it.
+pub(super) fn trim(mut bytes: &[u8]) -> &[u8] {
+    while let [first, rest @ ..] = bytes
+        && is_space(first)
+    {
+        bytes = rest;
+    }
+    while let [rest @ .., last] = bytes
+        && is_space(last)
+    {
+        bytes = rest;
+    }
+    bytes
+}
+
+/// Space within a line; the control character with which DOS ended a file is no more than that.
+fn is_space(byte: &u8) -> bool {
+    matches!(byte, b' ' | b'\t' | b'\x0b' | b'\x0c' | b'\x1a')
+}
+
+/// The lines as they stand, after the last one `None`.
+struct Raw<'a>(Option<&'a [u8]>);
+
+impl<'a> Iterator for Raw<'a> {
+    type Item = &'a [u8];
+
+    fn next(&mut self) -> Option<&'a [u8]> {
+        let bytes = self.0?;
+        let end = bytes.iter().position(|&byte| matches!(byte, b'\n' | b'\r'));
+        let Some(end) = end else {
+            self.0 = None;
+            return Some(bytes);
+        };
+        let after = &bytes[end..];
+        let mark = if after.starts_with(b"\r\n") { 2 } else { 1 };
+        self.0 = Some(&after[mark..]);
+        Some(&bytes[..end])
     }
 }
