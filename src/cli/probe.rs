@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use clap::Args;
 use onionskin::error::Attempt;
-use onionskin::gl::{Backend, ContextOptions, suspect_variables};
+use onionskin::gl::{Backend, ContextOptions, GlMachine, suspect_variables};
 use onionskin::{Context, Error, Result};
 
 /// What the child is called with.
@@ -15,7 +15,7 @@ const NAME: &str = "probe";
 /// A context takes some tens of milliseconds; on a machine that is busy with other things, seconds.
 const PATIENCE: Duration = Duration::from_secs(30);
 
-/// Make a context and end
+/// Make a context, draw with it and end
 #[derive(Args)]
 pub(super) struct Probe {
     backend: String,
@@ -23,7 +23,9 @@ pub(super) struct Probe {
 
 impl Probe {
     pub(super) fn run(self) -> Result<ExitCode> {
-        Context::new(of(self.backend.parse()?))?;
+        let context = Context::new(of(self.backend.parse()?))?;
+        // Drivers without memory make contexts, and hang when they compile a shader.
+        GlMachine::new(&context, [64, 64])?.traps()?;
         Ok(ExitCode::SUCCESS)
     }
 }
@@ -87,6 +89,15 @@ fn memory_is_limited() -> bool {
     addresses.is_some_and(|limit| !limit.trim_start().starts_with("unlimited"))
 }
 
+/// What else may be to blame.
+fn limit() -> &'static str {
+    if memory_is_limited() {
+        "; the memory of this process is limited (ulimit -v), which Mesa does not survive"
+    } else {
+        ""
+    }
+}
+
 /// How a child came to its end that made a context, if it was not by itself. Nothing, too, if no child could be made.
 fn crash(way: Backend) -> Option<String> {
     let child = Command::new(std::env::current_exe().ok()?)
@@ -97,18 +108,15 @@ fn crash(way: Backend) -> Option<String> {
         .spawn();
     let Some(status) = wait(child.ok()?) else {
         return Some(format!(
-            "making a context takes longer than {} seconds; the driver may be out of memory",
-            PATIENCE.as_secs()
+            "making a context and drawing takes longer than {} seconds{}",
+            PATIENCE.as_secs(),
+            limit()
         ));
     };
     let signal = signal(status)?;
-    let memory = if memory_is_limited() {
-        "; the memory of this process is limited (ulimit -v), which Mesa does not survive"
-    } else {
-        ""
-    };
     Some(format!(
-        "making a context crashes (signal {signal}){memory}"
+        "making a context crashes (signal {signal}){}",
+        limit()
     ))
 }
 

@@ -25,7 +25,7 @@ const VARIABLES: [(&str, &str); 13] = [
     ("__EGL_VENDOR_LIBRARY_FILENAMES", "says which EGL there is"),
     ("__EGL_VENDOR_LIBRARY_DIRS", "says where to look for an EGL"),
     ("DRI_PRIME", "chooses the GPU"),
-    ("DRAW_USE_LLVM", "takes away what Mesa draws vertices with"),
+    (DRAWING, "takes away what Mesa draws vertices with"),
 ];
 
 /// Has Mesa offer another version.
@@ -35,6 +35,12 @@ pub(super) const SHADING_LANGUAGE: &str = "MESA_GLSL_VERSION_OVERRIDE";
 
 /// The drivers that Mesa's OSMesa has. Told to take any other it follows a null pointer.
 const OF_OSMESA: [&str; 2] = ["llvmpipe", "softpipe"];
+
+/// What OpenGL 3.1 has at least; without it OSMesa makes no context of a core profile.
+const OF_OPENGL_3_1: u32 = 140;
+/// Whether Mesa compiles what it does with vertices, and how that is denied.
+const DRAWING: &str = "DRAW_USE_LLVM";
+const OFF: [&str; 5] = ["0", "n", "no", "f", "false"];
 
 /// Those that are set, as `NAME=value`, with what they do.
 fn set() -> impl Iterator<Item = (String, &'static str)> {
@@ -63,16 +69,23 @@ pub fn suspect_variables() -> Vec<Attempt> {
         .collect()
 }
 
-/// Why OSMesa is not asked for a context: it would crash.
+/// Why OSMesa is not asked for a context: where it finds that it cannot make one it follows a null pointer.
 pub(super) fn crashes_osmesa() -> Option<String> {
-    let driver = std::env::var_os("GALLIUM_DRIVER").filter(|driver| !driver.is_empty())?;
-    if OF_OSMESA.iter().any(|known| driver == *known) {
+    let value = |name| std::env::var(name).unwrap_or_default();
+    let driver = value("GALLIUM_DRIVER");
+    let shading_language = value(SHADING_LANGUAGE).parse::<u32>();
+    let name = if !driver.is_empty() && !OF_OSMESA.contains(&driver.as_str()) {
+        "GALLIUM_DRIVER"
+    } else if shading_language.is_ok_and(|version| version < OF_OPENGL_3_1) {
+        SHADING_LANGUAGE
+    } else if OFF.contains(&value(DRAWING).as_str()) {
+        DRAWING
+    } else {
         return None;
-    }
+    };
+    let assignment = assignment(name)?;
     Some(format!(
-        "not tried, because it has no driver '{}', which the environment variable GALLIUM_DRIVER names, and would crash; \
-         unset GALLIUM_DRIVER, or set it to llvmpipe",
-        driver.to_string_lossy().escape_debug()
+        "not tried, because it would crash with the environment variable {assignment}; unset {name}"
     ))
 }
 
