@@ -177,17 +177,17 @@ fn isosurfaces_end_where_it_is_empty() {
     for vertex in &half.vertices {
         assert!(vertex.position.is_finite() && vertex.position.x >= 8.0);
         // A ball's normals point from its middle. At the edge they are of a cell alone, 0.2 of its 5.1 units wide.
-        let outward = (vertex.position - glam::Vec3::splat(8.0)).normalize();
-        assert!(vertex.normal.dot(outward) > 0.95, "{vertex:?}");
+        let outward = (vertex.position - DVec3::splat(8.0)).normalize();
+        assert!(vertex.normal.as_dvec3().dot(outward) > 0.95, "{vertex:?}");
     }
     // What is left is the other surface's part, corner by corner.
     let all: std::collections::HashSet<_> = whole
         .vertices
         .iter()
-        .map(|vertex| vertex.position.to_array().map(f32::to_bits))
+        .map(|vertex| vertex.position.to_array().map(f64::to_bits))
         .collect();
     for vertex in &half.vertices {
-        assert!(all.contains(&vertex.position.to_array().map(f32::to_bits)));
+        assert!(all.contains(&vertex.position.to_array().map(f64::to_bits)));
     }
     let count = |mesh: &onionskin::scene::Mesh| {
         let right = |triangle: &&[u32; 3]| {
