@@ -32,9 +32,12 @@ impl More {
         macro_rules! look_up {
             ($name:literal as $kind:ty) => {{
                 let function = look_up($name);
-                // SAFETY: the OpenGL specification gives the function of that name this signature.
-                (!function.is_null())
-                    .then(|| unsafe { std::mem::transmute::<*const c_void, $kind>(function) })
+                if function.is_null() {
+                    None
+                } else {
+                    // SAFETY: the OpenGL specification gives the function of that name this signature.
+                    Some(unsafe { std::mem::transmute::<*const c_void, $kind>(function) })
+                }
             }};
         }
         let clips = driver.version >= (4, 5) || driver.has("GL_ARB_clip_control");

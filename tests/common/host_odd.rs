@@ -1,6 +1,8 @@
 //! States of a host's that are odd: each by a name, with the calls that set it.
 
 #![allow(unsafe_code)] // a host calls GL
+// SAFETY, the same for all: `Host::set`, which calls them, knows that the context is current and the host's objects alive.
+#![allow(clippy::undocumented_unsafe_blocks)]
 
 use glow::HasContext;
 
