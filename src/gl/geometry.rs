@@ -5,8 +5,9 @@ use glam::{DMat4, DVec2, DVec3, Mat4, Vec3};
 use glow::HasContext;
 
 use super::context::Context;
-use super::making::{Making, allocate};
+use super::making::Making;
 use super::program::Surfaces;
+use super::uploading::{Bound, fill};
 use crate::error::{Error, Result};
 use crate::fragment::Rgba;
 use crate::scene::{Mesh, Scene, Shading, Vertex, Volume};
@@ -372,47 +373,6 @@ fn origin_of(scene: &Scene) -> DVec3 {
         Some(bounds) if bounds.centre().length() > FAR * bounds.size().length() => bounds.centre(),
         _ => DVec3::ZERO,
     }
-}
-
-/// What an upload binds something else to meanwhile.
-struct Bound<'c> {
-    context: &'c Context,
-    array: Option<glow::VertexArray>,
-    buffer: Option<glow::Buffer>,
-}
-
-impl<'c> Bound<'c> {
-    fn keep(context: &'c Context) -> Result<Self> {
-        context.begin_making()?;
-        let gl = context.glow();
-        // SAFETY: the context is current; both are bindings.
-        unsafe {
-            Ok(Self {
-                context,
-                array: gl.get_parameter_vertex_array(glow::VERTEX_ARRAY_BINDING),
-                buffer: gl.get_parameter_buffer(glow::ARRAY_BUFFER_BINDING),
-            })
-        }
-    }
-}
-
-impl Drop for Bound<'_> {
-    fn drop(&mut self) {
-        let gl = self.context.glow();
-        // SAFETY: as above.
-        unsafe {
-            gl.bind_vertex_array(self.array);
-            gl.bind_buffer(glow::ARRAY_BUFFER, self.buffer);
-        }
-    }
-}
-
-/// Gives the buffer that is bound to `target` its contents.
-fn fill(gl: &glow::Context, target: u32, what: &str, bytes: &[u8]) -> Result<()> {
-    allocate(gl, what, bytes.len() as u64, || {
-        // SAFETY: the context is current, and a buffer is bound.
-        unsafe { gl.buffer_data_u8_slice(target, bytes, glow::STATIC_DRAW) };
-    })
 }
 
 /// The box around a volume, its faces turned outwards.

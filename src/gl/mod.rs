@@ -1,8 +1,8 @@
 //! The GL machine, and everything that is unsafe.
 //!
 //! `glow` declares every GL call unsafe, because a call is only sound while its context is current on the calling
-//! thread and its arguments fit the objects they name. Both are kept in this room: a [`Context`] is current from its
-//! creation to its end and cannot leave its thread, and whoever else calls GL does it through the safe types here.
+//! thread and its arguments fit the objects they name. Both are kept in this room: a [`Context`] is made current where it is
+//! used and cannot leave its thread, and whoever else calls GL does it through the safe types here.
 
 #![allow(unsafe_code)]
 
@@ -19,6 +19,7 @@ mod host;
 mod interpreter;
 mod machine;
 mod making;
+mod more;
 pub mod network;
 mod pixel_store;
 mod program;
@@ -26,6 +27,7 @@ mod scan;
 mod storage;
 mod texture;
 mod trap;
+mod uploading;
 mod volumes;
 
 pub use capture::{Captured, CapturedFragment, Piece, capture, capture_in_pieces};

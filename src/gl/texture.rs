@@ -49,11 +49,13 @@ impl Texture {
         let what = format!("the map '{name}', a {width} x {height} texture ({format:?})");
         let mut making = Making::new(gl);
         let raw = making.texture()?;
-        // SAFETY: the texture is bound, and its size is within the driver's limit, which the machine has checked.
         bound(gl, raw, || {
-            allocate(gl, &what, bytes, || unsafe {
+            allocate(gl, &what, bytes, || {
                 let [width, height] = size.map(|side| side as i32);
-                gl.tex_storage_2d(glow::TEXTURE_2D, 1, internal(format), width, height);
+                // SAFETY: the texture is bound, and its size is within the driver's limit, which the machine has checked.
+                unsafe {
+                    gl.tex_storage_2d(glow::TEXTURE_2D, 1, internal(format), width, height);
+                }
             })
         })?;
         making.finish();

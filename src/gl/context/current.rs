@@ -4,21 +4,7 @@ use std::cell::RefCell;
 use std::rc::{Rc, Weak};
 
 use super::egl;
-
-/// What keeps a headless context alive; ends it when dropped.
-pub(super) trait Current {
-    /// Where the functions are.
-    fn function(&self, name: &str) -> *const std::ffi::c_void;
-
-    /// Whether its library has it current on this thread.
-    fn is_current(&self) -> bool;
-
-    /// Makes it current on this thread, where no other library has a context current.
-    fn make_current(&self) -> Result<(), String>;
-
-    /// Makes it current no more.
-    fn release(&self);
-}
+use super::headless::Current;
 
 thread_local! {
     /// The headless context that onionskin made current last on this thread. EGL and OSMesa know nothing of each other, but

@@ -6,7 +6,7 @@ use std::sync::OnceLock;
 
 use khronos_egl as egl;
 
-use super::current::Current;
+use super::headless::Current;
 use super::{Attempt, Profile, with_reasons};
 
 type Instance = egl::DynamicInstance<egl::EGL1_5>;

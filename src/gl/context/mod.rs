@@ -6,6 +6,7 @@
 mod current;
 mod egl;
 mod guest;
+mod headless;
 mod native;
 mod osmesa;
 mod variables;
@@ -16,11 +17,11 @@ use std::marker::PhantomData;
 use std::rc::Rc;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-use self::current::Current;
+use self::headless::Current;
 use self::native::Native;
 use crate::error::{Attempt, Error, Result};
 use crate::gl::driver::Driver;
-use crate::gl::host::More;
+use crate::gl::more::More;
 
 pub(in crate::gl) use self::current::Away;
 pub use self::variables::suspect_variables;
@@ -137,7 +138,8 @@ impl Context {
 
     /// The functions that glow does not have.
     pub(in crate::gl) fn more(&self) -> &More {
-        self.more.get_or_init(|| More::load(self))
+        self.more
+            .get_or_init(|| More::load(&self.driver, |name| self.function(name)))
     }
 
     /// The functions. The context is made current, if it is onionskin's own.

@@ -6,7 +6,7 @@ use std::rc::Rc;
 
 use libloading::Library;
 
-use super::current::Current;
+use super::headless::Current;
 use super::{Attempt, Profile, variables, with_reasons};
 
 const LIBRARIES: [&str; 3] = ["libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"];

@@ -8,7 +8,6 @@
 
 mod bindings;
 mod fixed;
-mod more;
 mod per_buffer;
 mod visit;
 
@@ -16,4 +15,3 @@ pub use visit::Visit;
 
 pub(in crate::gl) use bindings::UNITS;
 pub(in crate::gl) use fixed::known_state;
-pub(in crate::gl) use more::More;

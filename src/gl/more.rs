@@ -2,7 +2,7 @@
 
 use std::ffi::{c_double, c_int, c_uint, c_void};
 
-use super::super::context::Context;
+use super::driver::Driver;
 
 type Enum = unsafe extern "system" fn(c_uint);
 type Enums = unsafe extern "system" fn(c_uint, c_uint);
@@ -14,7 +14,7 @@ type BindRange = unsafe extern "system" fn(c_uint, c_uint, c_uint, isize, isize)
 
 /// Each is there or not: of someone else's context nothing may be known but what glow has.
 #[derive(Clone, Copy, Debug, Default)]
-pub(in crate::gl) struct More {
+pub(super) struct More {
     clip_control: Option<Enums>,
     provoking_vertex: Option<Enum>,
     clamp_color: Option<Enums>,
@@ -28,16 +28,18 @@ pub(in crate::gl) struct More {
 
 impl More {
     /// Looks them up in a context that is current.
-    pub(in crate::gl) fn load(context: &Context) -> Self {
+    pub(super) fn load(driver: &Driver, look_up: impl Fn(&str) -> *const c_void) -> Self {
         macro_rules! look_up {
             ($name:literal as $kind:ty) => {{
-                let function = context.function($name);
-                // SAFETY: the OpenGL specification gives the function of that name this signature.
-                (!function.is_null())
-                    .then(|| unsafe { std::mem::transmute::<*const c_void, $kind>(function) })
+                let function = look_up($name);
+                if function.is_null() {
+                    None
+                } else {
+                    // SAFETY: the OpenGL specification gives the function of that name this signature.
+                    Some(unsafe { std::mem::transmute::<*const c_void, $kind>(function) })
+                }
             }};
         }
-        let driver = context.driver();
         let clips = driver.version >= (4, 5) || driver.has("GL_ARB_clip_control");
         Self {
             clip_control: look_up!("glClipControl" as Enums).filter(|_| clips),
@@ -52,24 +54,24 @@ impl More {
         }
     }
 
-    pub(in crate::gl) fn has_clip_control(&self) -> bool {
+    pub(super) fn has_clip_control(&self) -> bool {
         self.clip_control.is_some()
     }
 
     /// `glClipControl`, where there is one.
-    pub(in crate::gl) fn clip_control(&self, [origin, depth]: [u32; 2]) {
+    pub(super) fn clip_control(&self, [origin, depth]: [u32; 2]) {
         if let Some(call) = self.clip_control {
             // SAFETY: the context is current, here and below, and the constants are OpenGL's own.
             unsafe { call(origin, depth) };
         }
     }
 
-    pub(in crate::gl) fn has_provoking_vertex(&self) -> bool {
+    pub(super) fn has_provoking_vertex(&self) -> bool {
         self.provoking_vertex.is_some()
     }
 
     /// `glProvokingVertex`, where there is one.
-    pub(in crate::gl) fn provoking_vertex(&self, mode: u32) {
+    pub(super) fn provoking_vertex(&self, mode: u32) {
         if let Some(call) = self.provoking_vertex {
             // SAFETY: as above.
             unsafe { call(mode) };
@@ -77,7 +79,7 @@ impl More {
     }
 
     /// `glClampColor`, where there is one.
-    pub(in crate::gl) fn clamp_color(&self, target: u32, clamp: u32) {
+    pub(super) fn clamp_color(&self, target: u32, clamp: u32) {
         if let Some(call) = self.clamp_color {
             // SAFETY: as above.
             unsafe { call(target, clamp) };
@@ -85,7 +87,7 @@ impl More {
     }
 
     /// `glBeginConditionalRender`; false where there is none.
-    pub(in crate::gl) fn begin_conditional_render(&self, query: u32, mode: u32) -> bool {
+    pub(super) fn begin_conditional_render(&self, query: u32, mode: u32) -> bool {
         // SAFETY: as above.
         self.begin_conditional_render
             .map(|call| unsafe { call(query, mode) })
@@ -93,7 +95,7 @@ impl More {
     }
 
     /// `glEndConditionalRender`, where there is one.
-    pub(in crate::gl) fn end_conditional_render(&self) {
+    pub(super) fn end_conditional_render(&self) {
         if let Some(call) = self.end_conditional_render {
             // SAFETY: as above.
             unsafe { call() };
@@ -101,7 +103,7 @@ impl More {
     }
 
     /// The query that is active on a target, 0 if none is or nobody knows.
-    pub(in crate::gl) fn current_query(&self, target: u32) -> u32 {
+    pub(super) fn current_query(&self, target: u32) -> u32 {
         let mut query = 0;
         if let Some(call) = self.get_query {
             // SAFETY: as above; the answer is a single number.
@@ -111,7 +113,7 @@ impl More {
     }
 
     /// Four numbers of indexed state; nothing where they cannot be asked.
-    pub(in crate::gl) fn four(&self, name: u32, index: u32) -> Option<[i32; 4]> {
+    pub(super) fn four(&self, name: u32, index: u32) -> Option<[i32; 4]> {
         let mut numbers = [0; 4];
         // SAFETY: as above; no indexed state has more numbers than four.
         self.get_indexed.map(|call| unsafe {
@@ -121,7 +123,7 @@ impl More {
     }
 
     /// `N` doubles; nothing where they cannot be asked.
-    pub(in crate::gl) fn doubles<const N: usize>(&self, name: u32) -> Option<[f64; N]> {
+    pub(super) fn doubles<const N: usize>(&self, name: u32) -> Option<[f64; N]> {
         let mut numbers = [0.0; N];
         // SAFETY: as above; the callers know how many numbers the state has.
         self.get_double.map(|call| unsafe {
@@ -131,13 +133,7 @@ impl More {
     }
 
     /// `glBindBufferRange` with offsets of 64 bits; false where there is none.
-    pub(in crate::gl) fn bind_range(
-        &self,
-        target: u32,
-        index: u32,
-        buffer: u32,
-        range: [i64; 2],
-    ) -> bool {
+    pub(super) fn bind_range(&self, target: u32, index: u32, buffer: u32, range: [i64; 2]) -> bool {
         let [start, size] = range.map(|number| number as isize);
         // SAFETY: as above.
         self.bind_range

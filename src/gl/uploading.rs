@@ -1,0 +1,48 @@
+//! What uploading a mesh does besides: it keeps the host's bindings, and checks that there was room.
+
+use glow::HasContext;
+
+use super::context::Context;
+use super::making::allocate;
+use crate::error::Result;
+
+/// What an upload binds something else to meanwhile.
+pub(super) struct Bound<'c> {
+    context: &'c Context,
+    array: Option<glow::VertexArray>,
+    buffer: Option<glow::Buffer>,
+}
+
+impl<'c> Bound<'c> {
+    pub(super) fn keep(context: &'c Context) -> Result<Self> {
+        context.begin_making()?;
+        let gl = context.glow();
+        // SAFETY: the context is current; both are bindings.
+        unsafe {
+            Ok(Self {
+                context,
+                array: gl.get_parameter_vertex_array(glow::VERTEX_ARRAY_BINDING),
+                buffer: gl.get_parameter_buffer(glow::ARRAY_BUFFER_BINDING),
+            })
+        }
+    }
+}
+
+impl Drop for Bound<'_> {
+    fn drop(&mut self) {
+        let gl = self.context.glow();
+        // SAFETY: as above.
+        unsafe {
+            gl.bind_vertex_array(self.array);
+            gl.bind_buffer(glow::ARRAY_BUFFER, self.buffer);
+        }
+    }
+}
+
+/// Gives the buffer that is bound to `target` its contents.
+pub(super) fn fill(gl: &glow::Context, target: u32, what: &str, bytes: &[u8]) -> Result<()> {
+    allocate(gl, what, bytes.len() as u64, || {
+        // SAFETY: the context is current, and a buffer is bound.
+        unsafe { gl.buffer_data_u8_slice(target, bytes, glow::STATIC_DRAW) };
+    })
+}
