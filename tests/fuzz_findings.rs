@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use std::sync::mpsc;
 use std::time::Duration;
 
-use onionskin::{Error, Image};
+use onionskin::{Error, Image, MemoryLimit};
 use scene_kit::Folder;
 
 /// Not a bound on speed: what hangs has no end, and this says so instead of hanging with it.
@@ -56,7 +56,7 @@ fn read(target: &str, bytes: &[u8]) -> Result<(), Error> {
         "png" | "exr" => {
             let name = format!("picture.{target}");
             let folder = Folder::new().with(&name, bytes);
-            Image::load(folder.path(&name)).map(drop)
+            Image::load_within(folder.path(&name), &MemoryLimit::of(400 << 20)).map(drop)
         }
         other => panic!("there is no reader '{other}'"),
     }

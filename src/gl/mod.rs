@@ -29,6 +29,7 @@ mod texture;
 mod trap;
 mod uploading;
 mod volumes;
+mod window;
 
 pub use capture::{Captured, CapturedFragment, Piece, capture, capture_in_pieces};
 pub use classic::{ClassicState, FixedFunction};

@@ -2,8 +2,26 @@
 
 use std::path::{Path, PathBuf};
 
+use onionskin::MemoryLimit;
+use onionskin::scene::{LoadOptions, Scene};
+
 /// A folder of this process, which stays until the machine is restarted or it is removed.
 pub struct Folder(PathBuf);
+
+/// What a reader may take: less than what the fuzzer gives the process.
+pub fn memory() -> MemoryLimit {
+    MemoryLimit::of(400 << 20)
+}
+
+/// Loads a scene or a model within that.
+#[allow(dead_code)]
+pub fn load(path: impl AsRef<Path>) {
+    let options = LoadOptions {
+        memory: memory(),
+        ..LoadOptions::default()
+    };
+    let _ = Scene::load_with(path, &options);
+}
 
 impl Folder {
     /// With one file that does not change.

@@ -6,7 +6,6 @@ mod folder;
 use std::sync::LazyLock;
 
 use libfuzzer_sys::fuzz_target;
-use onionskin::scene::Scene;
 
 static FOLDER: LazyLock<folder::Folder> = LazyLock::new(|| {
     folder::Folder::with(
@@ -17,5 +16,5 @@ static FOLDER: LazyLock<folder::Folder> = LazyLock::new(|| {
 
 fuzz_target!(|bytes: &[u8]| {
     FOLDER.write("model.mtl", bytes);
-    let _ = Scene::load(FOLDER.path("model.obj"));
+    folder::load(FOLDER.path("model.obj"));
 });

@@ -12,5 +12,5 @@ static FOLDER: LazyLock<folder::Folder> = LazyLock::new(|| folder::Folder::with(
 
 // A decoder's panic that the reader turns into words is none: the hook would end the process all the same.
 fuzz_target!(init: std::panic::set_hook(Box::new(|_| ())), |bytes: &[u8]| {
-    let _ = Image::load(FOLDER.write("picture.png", bytes));
+    let _ = Image::load_within(FOLDER.write("picture.png", bytes), &folder::memory());
 });

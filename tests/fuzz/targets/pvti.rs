@@ -6,7 +6,6 @@ mod folder;
 use std::sync::LazyLock;
 
 use libfuzzer_sys::fuzz_target;
-use onionskin::scene::Scene;
 
 static FOLDER: LazyLock<folder::Folder> = LazyLock::new(|| folder::Folder::of_volume("v.pvti"));
 
@@ -15,5 +14,5 @@ fuzz_target!(|bytes: &[u8]| {
     let (head, piece) = bytes.split_at(end.map_or(bytes.len(), |end| end + 2));
     FOLDER.write("v.pvti", head);
     FOLDER.write("a.vti", piece);
-    let _ = Scene::load(FOLDER.path("scene.toml"));
+    folder::load(FOLDER.path("scene.toml"));
 });

@@ -6,11 +6,10 @@ mod folder;
 use std::sync::LazyLock;
 
 use libfuzzer_sys::fuzz_target;
-use onionskin::scene::Scene;
 
 static FOLDER: LazyLock<folder::Folder> =
     LazyLock::new(|| folder::Folder::with("model.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
 
 fuzz_target!(|bytes: &[u8]| {
-    let _ = Scene::load(FOLDER.write("scene.toml", bytes));
+    folder::load(FOLDER.write("scene.toml", bytes));
 });

@@ -6,11 +6,10 @@ mod folder;
 use std::sync::LazyLock;
 
 use libfuzzer_sys::fuzz_target;
-use onionskin::scene::Scene;
 
 static FOLDER: LazyLock<folder::Folder> = LazyLock::new(|| folder::Folder::of_volume("v.vti"));
 
 fuzz_target!(|bytes: &[u8]| {
     FOLDER.write("v.vti", bytes);
-    let _ = Scene::load(FOLDER.path("scene.toml"));
+    folder::load(FOLDER.path("scene.toml"));
 });
