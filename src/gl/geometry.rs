@@ -68,7 +68,7 @@ pub(super) struct Buffers {
 /// A vertex as a driver gets it.
 #[derive(Clone, Copy, Pod, Zeroable)]
 #[repr(C)]
-struct Corner {
+pub(super) struct Corner {
     position: [f32; 3],
     normal: [f32; 3],
     color: [f32; 4],
