@@ -134,7 +134,9 @@ fn medium<'v>(ray: &'v Ray, volume: &'v Volume) -> impl Fn(f64) -> Medium + 'v {
 
 pub fn render(context: &Context, scene: &Scene, method: &Method) -> Frame {
     let [width, height] = scene.size;
-    let mut renderer = Renderer::new(context, width, height).unwrap();
+    // The emulated rays end where the scene's planes are.
+    let renderer = Renderer::new(context, width, height).unwrap();
+    let mut renderer = renderer.with_given_planes();
     renderer.render(scene, method).unwrap()
 }
 
