@@ -68,7 +68,7 @@ pub(super) struct Buffers {
 /// A vertex as a driver gets it.
 #[derive(Clone, Copy, Pod, Zeroable)]
 #[repr(C)]
-pub(super) struct Corner {
+struct Corner {
     position: [f32; 3],
     normal: [f32; 3],
     color: [f32; 4],

@@ -10,7 +10,6 @@ use super::super::constants::compare;
 use super::super::context::Context;
 use super::super::machine::GlMachine;
 use crate::error::{Error, Result};
-use crate::gl::geometry::Corner;
 use crate::steps::{
     Call, ClassicCall, ClassicCapability, DepthTextureMode, Machine, Map, MatrixMode, Objects,
     Query, TexEnvName, TexEnvValue, TextureTarget,
@@ -235,7 +234,7 @@ impl<'m, 'c> FixedFunction<'m, 'c> {
             return;
         };
         let f = &self.functions;
-        // SAFETY: the context is current; both arrays lie in the bound buffer, as Corner is laid out in C's way, and
+        // SAFETY: the context is current; both arrays lie in the bound buffer, as Vertex is laid out in C's way, and
         // every index is below the number of its vertices.
         unsafe {
             gl.use_program(None);
@@ -243,7 +242,7 @@ impl<'m, 'c> FixedFunction<'m, 'c> {
             (f.enable_client_state)(VERTEX_ARRAY);
             (f.enable_client_state)(COLOR_ARRAY);
             for buffers in geometry.buffers(objects) {
-                let stride = size_of::<Corner>() as c_int;
+                let stride = size_of::<crate::scene::Vertex>() as c_int;
                 gl.bind_buffer(glow::ARRAY_BUFFER, Some(buffers.vertices));
                 gl.bind_buffer(glow::ELEMENT_ARRAY_BUFFER, Some(buffers.indices));
                 (f.vertex_pointer)(3, glow::FLOAT, stride, std::ptr::null());
