@@ -65,6 +65,12 @@ pub(super) struct Buffers {
     pub(super) count: i32,
 }
 
+impl Buffers {
+    /// Bytes from one vertex to the next, and from a vertex's beginning, which is its position, to its colour.
+    pub(super) const STRIDE: usize = size_of::<Corner>();
+    pub(super) const COLOR: usize = std::mem::offset_of!(Corner, color);
+}
+
 /// A vertex as a driver gets it.
 #[derive(Clone, Copy, Pod, Zeroable)]
 #[repr(C)]

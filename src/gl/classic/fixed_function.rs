@@ -8,6 +8,7 @@ use glow::HasContext;
 
 use super::super::constants::compare;
 use super::super::context::Context;
+use super::super::geometry::Buffers;
 use super::super::machine::GlMachine;
 use crate::error::{Error, Result};
 use crate::steps::{
@@ -234,7 +235,7 @@ impl<'m, 'c> FixedFunction<'m, 'c> {
             return;
         };
         let f = &self.functions;
-        // SAFETY: the context is current; both arrays lie in the bound buffer, as Vertex is laid out in C's way, and
+        // SAFETY: the context is current; both arrays lie in the bound buffer, as it was filled, and
         // every index is below the number of its vertices.
         unsafe {
             gl.use_program(None);
@@ -242,11 +243,11 @@ impl<'m, 'c> FixedFunction<'m, 'c> {
             (f.enable_client_state)(VERTEX_ARRAY);
             (f.enable_client_state)(COLOR_ARRAY);
             for buffers in geometry.buffers(objects) {
-                let stride = size_of::<crate::scene::Vertex>() as c_int;
+                let stride = Buffers::STRIDE as c_int;
                 gl.bind_buffer(glow::ARRAY_BUFFER, Some(buffers.vertices));
                 gl.bind_buffer(glow::ELEMENT_ARRAY_BUFFER, Some(buffers.indices));
                 (f.vertex_pointer)(3, glow::FLOAT, stride, std::ptr::null());
-                (f.color_pointer)(4, glow::FLOAT, stride, 24 as *const c_void);
+                (f.color_pointer)(4, glow::FLOAT, stride, Buffers::COLOR as *const c_void);
                 gl.draw_elements(glow::TRIANGLES, buffers.count, glow::UNSIGNED_INT, 0);
             }
             (f.disable_client_state)(VERTEX_ARRAY);
