@@ -47,7 +47,7 @@ impl Plane {
     /// triangle away, by as many times as much.
     fn holds(&self, points: [DVec3; 3]) -> bool {
         let height = self.doubled_area / self.longest_edge;
-        if !(height > 0.0) {
+        if height.is_nan() || height <= 0.0 {
             return false;
         }
         let rounding = ROUNDINGS * f64::EPSILON * self.largest.max(largest(points));

@@ -195,12 +195,11 @@ fn beside(outline: &[Corner; 3], at: [f64; 2]) -> Option<f64> {
     if inside {
         return None;
     }
-    let nearest = edges.map(|edge| nearest(edge, at));
-    let nearest = nearest
+    edges
+        .map(|edge| nearest(edge, at))
         .into_iter()
         .min_by(|(a, _), (b, _)| a.total_cmp(b))
-        .map(|(_, inverse)| inverse);
-    nearest
+        .map(|(_, inverse)| inverse)
 }
 
 /// An edge with its corners in an order that does not depend on the triangle, so that two triangles with a common edge

@@ -107,7 +107,7 @@ pub fn gradient() -> Scene {
 /// The largest difference of an image from exp(-sigma L), with the fog `sigma` dense.
 pub fn off(scene: &Scene, image: &Image, sigma: f64) -> f64 {
     let [width, height] = scene.size.map(f64::from);
-    let pane = f64::from(scene.meshes[0].vertices[0].position.z);
+    let pane = scene.meshes[0].vertices[0].position.z;
     let alpha = f64::from(scene.meshes[0].vertices[0].color.a);
     let eye = scene.camera.eye.z;
     let pixel = 2.0 * 6.0_f64.to_radians().tan() / height;

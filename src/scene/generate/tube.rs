@@ -64,7 +64,7 @@ pub(super) fn add(mesh: &mut Mesh, rings: &[Ring], [start, end]: [DVec3; 2], sid
 
 fn vertex(position: DVec3, normal: DVec3) -> Vertex {
     Vertex {
-        position: position,
+        position,
         normal: normal.as_vec3(),
         ..Vertex::default()
     }

@@ -196,7 +196,7 @@ fn quoted(rest: &[u8]) -> Option<(&[u8], &[u8])> {
 /// Without the quotes around the whole.
 fn unquoted(rest: &[u8]) -> &[u8] {
     match quoted(rest) {
-        Some((inside, after)) if after.is_empty() => words::trim(inside),
+        Some((inside, [])) => words::trim(inside),
         _ => rest,
     }
 }

@@ -166,8 +166,8 @@ impl Note {
                 and_others(*count)
             ),
             Self::LibraryElsewhere => format!(
-                "{} not under the name that the model gives, the first is '{word}': taken is the file next to the model whose name differs by folder, case or encoding only",
-                format!("{} {are}", some("material file"))
+                "{} {are} not under the name that the model gives, the first is '{word}': taken is the file next to the model whose name differs by folder, case or encoding only",
+                some("material file")
             ),
             Self::TooManyLibraries => format!(
                 "{} more than are looked for, the first is '{word}'",
