@@ -207,11 +207,21 @@ fn waste(scene: &Scene) -> Option<String> {
         .map(|camera| DepthBuffer::float(&camera, scene.size).resolution(fitted.far));
     (given_resolution > WORTH_SAYING * fitted_resolution).then(|| {
         format!(
-            "between near = {} and far = {} a 32-bit depth buffer tells surfaces at {:.3e} apart that are {:.1e} from each \
-             other, between planes close around the scene {:.1e}; ",
-            given.near, given.far, fitted.far, given_resolution, fitted_resolution
+            "near = {} and far = {} waste the depth buffer: {} away it confuses surfaces that are less than {} apart, with \
+             planes close around the scene less than {}; ",
+            given.near,
+            given.far,
+            digits(fitted.far),
+            digits(given_resolution),
+            digits(fitted_resolution)
         )
     })
+}
+
+/// A length in three digits.
+fn digits(length: f64) -> String {
+    let places = (2 - length.abs().log10().floor() as i32).clamp(0, 12) as usize;
+    format!("{length:.places$}")
 }
 
 impl Planes {
@@ -222,8 +232,9 @@ impl Planes {
         let fitted = scene.camera.close_around(bounds);
         match self {
             Self::Fitted => format!(
-                "methods draw between {:.6} and {:.6}, which cuts nothing off (--planes given draws between the scene's)",
-                fitted.near, fitted.far
+                "methods draw between {} and {}, which cuts nothing off (--planes given takes the scene's)",
+                digits(fitted.near),
+                digits(fitted.far)
             ),
             Self::Given => "methods draw between the scene's, as asked for".into(),
         }
