@@ -323,3 +323,16 @@ proptest! {
         prop_assert!(error.contains("cannot decode it"), "{}", error);
     }
 }
+
+#[test]
+fn a_data_window_far_larger_than_the_picture_is_refused_by_the_header() {
+    // 558 bytes that fuzzing found: a picture of 4 x 3 pixels whose data window is 67108868 x 3.
+    let wide = include_bytes!("fuzz_findings/exr/wide");
+    let folder = Folder::new();
+    let words = refused(folder.with("wide.exr", wide));
+    assert!(
+        words.contains("its data window has 201326604 pixels"),
+        "{words}"
+    );
+    assert!(words.contains("4 x 3"), "{words}");
+}

@@ -62,6 +62,9 @@ impl Image {
         let path = path.as_ref();
         let reader = ImageReader::with_format(open(path)?, format_of(path)?);
         let (width, height) = decoded(path, || reader.into_dimensions())?;
+        if format_of(path)? == ImageFormat::OpenExr {
+            expect_near(path, [width, height], data_windows(path)?)?;
+        }
         if width == 0 || height == 0 {
             return Err(wrong(path, format!("it has {width} x {height} pixels")));
         }
@@ -88,6 +91,36 @@ fn open(path: &Path) -> Result<BufReader<File>> {
         return Err(wrong(path, what));
     }
     Ok(BufReader::new(File::open(path).map_err(unreadable)?))
+}
+
+/// How many pixels an EXR file keeps: those of its data windows, which need not be the picture's.
+fn data_windows(path: &Path) -> Result<u64> {
+    let file = open(path)?;
+    let read = || exr::meta::MetaData::read_from_buffered(file, false);
+    let damaged = |what: String| wrong(path, format!("cannot decode it: {what}"));
+    let meta = catch_unwind(AssertUnwindSafe(read))
+        .map_err(|_| damaged("it is damaged".into()))?
+        .map_err(|error| damaged(error.to_string()))?;
+    let pixels = meta.headers.iter().map(|header| {
+        let size = header.layer_size;
+        (size.width() as u64).saturating_mul(size.height() as u64)
+    });
+    Ok(pixels.fold(0, u64::saturating_add))
+}
+
+/// # Errors
+/// If a picture's file keeps many times its pixels, all of which the decoder makes room for: a margin around the picture,
+/// and a part for each eye or layer, are no reason for so many.
+fn expect_near(path: &Path, [width, height]: [u32; 2], kept: u64) -> Result<()> {
+    /// Of any picture.
+    const SPARE: u64 = 1 << 20;
+    const TIMES: u64 = 64;
+    let shown = u64::from(width) * u64::from(height);
+    if kept <= SPARE + TIMES * shown {
+        return Ok(());
+    }
+    let what = format!("its data window has {kept} pixels, for a picture of {width} x {height}");
+    Err(wrong(path, what))
 }
 
 /// What a decoder makes of the file. A decoder that panics over damaged bytes has refused them, too.
