@@ -103,11 +103,6 @@ fn an_empty_model() {
 }
 
 #[test]
-fn a_model_cut_off_within_a_vertex() {
-    refused_model(format!("{THREE}f 1 2 3\nv 1.0 2")).says(&["m.obj:5: '1.0 2': ", "cut off"]);
-}
-
-#[test]
 fn a_model_cut_off_within_a_face() {
     refused_model(format!("{THREE}f 1 2")).says(&["m.obj:4: '1 2': ", "cut off"]);
 }
@@ -141,19 +136,13 @@ fn a_negative_index_before_the_first_vertex() {
     refused_line("f -1 -2 -4", "-4").says(&["no vertex -4"]);
 }
 
+/// What no face needs stops nothing (`scene_obj_tolerated.rs`); here the only face needs it.
 #[test]
-fn a_vertex_of_nan() {
-    refused_line("v 0 nan 0", "nan").says(&["finite"]);
-}
-
-#[test]
-fn an_infinite_vertex() {
-    refused_line("v 0 0 inf", "inf").says(&["finite"]);
-}
-
-#[test]
-fn a_word_that_is_no_number() {
-    refused_line("v 0 x 0", "x").says(&["not a number"]);
+fn a_model_whose_only_face_needs_a_vertex_without_a_place() {
+    for word in ["nan", "inf", "1.#INF", "x", "1e400", ""] {
+        let model = format!("v 0 0 0\nv 1 0 0\nv 0 0 {word}\nf 1 2 3\n");
+        refused_model(model).says(&["m.obj:3: ", "none of the model's faces can be drawn"]);
+    }
 }
 
 #[test]
