@@ -22,7 +22,7 @@ fn desk() -> Desk {
         .with("utf16.toml", utf_16("size = [64, 48]\n"))
         .with("latin1.toml", b"# Caf\xe9\n")
         .with("noise.toml", b"\x1b]0;\x07 = [")
-        .with("noise.obj", b"v \x1b[31m 0 0\n")
+        .with("noise.obj", b"v \x1b[31m 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
         .with("deep.toml", "a = [".to_owned() + &"[".repeat(100_000));
     std::fs::create_dir(desk.path("folder")).expect("a folder");
     std::fs::create_dir(desk.path("folder.png")).expect("a folder");
