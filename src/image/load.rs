@@ -116,7 +116,7 @@ fn expect_near(path: &Path, [width, height]: [u32; 2], kept: u64) -> Result<()> 
     const SPARE: u64 = 1 << 20;
     const TIMES: u64 = 64;
     let shown = u64::from(width) * u64::from(height);
-    if kept <= SPARE + TIMES * shown {
+    if kept <= SPARE.saturating_add(shown.saturating_mul(TIMES)) {
         return Ok(());
     }
     let what = format!("its data window has {kept} pixels, for a picture of {width} x {height}");
