@@ -169,7 +169,7 @@ fn paths_start_at_the_scene_files_folder() {
 #[test]
 fn an_error_in_a_model_names_the_model() {
     let folder = Folder::new()
-        .with("m.obj", "v 0 0\n")
+        .with("m.obj", "v 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
         .with("s.toml", "[[mesh]]\nfile = \"m.obj\"\n");
     let error = refused(folder.load("s.toml"));
     assert_eq!(error.file, "m.obj");
