@@ -12,6 +12,8 @@ pub(super) enum Cover {
     Triangles {
         triangles: Vec<[usize; 3]>,
         added: Vec<Point>,
+        /// Whether edges cross.
+        crossed: bool,
     },
 }
 

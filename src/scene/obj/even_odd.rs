@@ -6,209 +6,162 @@ use std::collections::HashMap;
 
 use glam::{DVec2, DVec3};
 use spade::handles::{DirectedEdgeHandle, FixedDirectedEdgeHandle, FixedVertexHandle};
-use spade::{CdtEdge, ConstrainedDelaunayTriangulation, HasPosition, Point2, Triangulation};
+use spade::{CdtEdge, ConstrainedDelaunayTriangulation, Intersection, LineIntersectionIterator};
+use spade::{Point2, Triangulation};
 
 use super::cover::{Cover, Point};
+use super::outline::{Edge, Outline, Runs};
 
-/// Below this `spade` takes no coordinates; they are at most 1 here, and this is nothing beside that.
-const NOTHING: f64 = 1e-40;
+type Delaunay = ConstrainedDelaunayTriangulation<Point2<f64>>;
+type Side<'a> = DirectedEdgeHandle<'a, Point2<f64>, (), CdtEdge<()>, ()>;
 
-/// A corner on the plane; what it is called is its place in the triangulation.
-#[derive(Clone, Copy)]
-struct Corner(Point2<f64>);
+/// How often edges are cut where they cross. Once is enough but for rounding, which may move a piece across another.
+const MOST_CUTS: usize = 8;
 
-impl HasPosition for Corner {
-    type Scalar = f64;
+/// How far a corner is from an edge that it is no more than next to, relative to the edge's length.
+const NEXT_TO: f64 = 1e-9;
 
-    fn position(&self) -> Point2<f64> {
-        self.0
-    }
-}
-
-type Delaunay = ConstrainedDelaunayTriangulation<Corner>;
-type Edge<'a> = DirectedEdgeHandle<'a, Corner, (), CdtEdge<()>, ()>;
-
-/// How often the polygon runs along an edge, and how much more often from the lower corner to the higher.
-#[derive(Clone, Copy, Default)]
-struct Runs {
-    count: u32,
-    net: i32,
-}
-
-impl Runs {
-    fn add(&mut self, from: usize, to: usize) {
-        self.count += 1;
-        self.net += if from < to { 1 } else { -1 };
-    }
-
-    fn joined(self, other: Self, reversed: bool) -> Self {
-        let net = if reversed { -other.net } else { other.net };
-        Self {
-            count: self.count + other.count,
-            net: self.net + net,
-        }
-    }
-}
+/// More corners than these are many.
+const MANY: usize = 64;
 
 /// Covers a polygon that `flat` has on a plane and `places` in space.
 pub(super) fn cover(flat: &[DVec2], places: &[DVec3]) -> Cover {
-    let outline = Outline::new(flat);
-    let Some(mut plane) = Plane::new(&outline) else {
+    let mut outline = Outline::new(flat);
+    // One that goes to and fro more often than this is noise.
+    if outline.spikes > 64 + flat.len() / 256 {
         return Cover::Tangled;
-    };
-    // A polygon with more crossings than this is noise.
-    let most = 4 * flat.len() + 64;
-    for &[from, to] in &outline.edges {
-        let drawn = plane.draw(from, to, outline.runs[&[from, to]]);
-        if drawn.is_none() || plane.delaunay.num_vertices() > most {
-            return Cover::Tangled;
+    }
+    for cuts in 0..=MOST_CUTS {
+        match Plane::of(&outline) {
+            Drawn::Whole(plane) => {
+                return match plane.within() {
+                    Some(within) => named(&outline, &within, places, cuts > 0),
+                    None => Cover::Tangled,
+                };
+            }
+            Drawn::Crossed if outline.cut().is_some() => {}
+            Drawn::Crossed | Drawn::Tangled => break,
         }
     }
-    let Some(within) = plane.within() else {
-        return Cover::Tangled;
-    };
+    Cover::Tangled
+}
+
+/// The triangles with the polygon's numbers for its corners.
+fn named(outline: &Outline, within: &[[usize; 3]], places: &[DVec3], crossed: bool) -> Cover {
     let own = outline.first.len();
     let name = |corner: usize| match corner.checked_sub(own) {
         None => outline.first[corner],
-        Some(added) => flat.len() + added,
+        Some(added) => places.len() + added,
     };
-    let added = plane.added.iter().map(|&(ends, at)| {
-        let between = ends.map(|end| outline.first[end]);
-        let [a, b] = between.map(|corner| places[corner]);
-        let place = a.lerp(b, at);
-        Point { place, between, at }
+    let triangles = within.iter().map(|triangle| triangle.map(name));
+    let added = outline.added.iter().map(|crossing| {
+        let [a, b] = crossing.between.map(|corner| places[corner]);
+        Point {
+            place: a.lerp(b, crossing.at),
+            between: crossing.between,
+            at: crossing.at,
+        }
     });
     Cover::Triangles {
-        triangles: within
-            .into_iter()
-            .map(|triangle| triangle.map(name))
-            .collect(),
+        triangles: triangles.collect(),
         added: added.collect(),
+        crossed,
     }
 }
 
-/// A polygon's corners, those at one place made one, and the edges that count.
-struct Outline {
-    places: Vec<Corner>,
-    /// Which of the polygon's corners is the first at each place.
-    first: Vec<usize>,
-    /// The edges that matter, each in its lower direction: not those that are run along to and fro, as the bridge to a
-    /// hole is, for on both sides of them all is the same.
-    edges: Vec<[usize; 2]>,
-    runs: HashMap<[usize; 2], Runs>,
-}
-
-impl Outline {
-    fn new(flat: &[DVec2]) -> Self {
-        let mut places = Vec::new();
-        let mut first = Vec::new();
-        let mut known = HashMap::new();
-        let corners = flat.iter().enumerate().map(|(i, corner)| {
-            let [x, y] = corner
-                .to_array()
-                .map(|x| if x.abs() < NOTHING { 0.0 } else { x });
-            *known.entry([x.to_bits(), y.to_bits()]).or_insert_with(|| {
-                places.push(Corner(Point2::new(x, y)));
-                first.push(i);
-                places.len() - 1
-            })
-        });
-        let corners: Vec<usize> = corners.collect();
-        let mut edges = Vec::new();
-        let mut runs: HashMap<[usize; 2], Runs> = HashMap::new();
-        for (i, &from) in corners.iter().enumerate() {
-            let to = corners[(i + 1) % corners.len()];
-            let edge = [from.min(to), from.max(to)];
-            if from != to {
-                let runs = runs.entry(edge).or_insert_with(|| {
-                    edges.push(edge);
-                    Runs::default()
-                });
-                runs.add(from, to);
-            }
-        }
-        edges.retain(|edge| runs[edge].count % 2 == 1 || runs[edge].net != 0);
-        Self {
-            places,
-            first,
-            edges,
-            runs,
-        }
-    }
-}
-
-/// The triangulation, and how the polygon runs along its edges.
+/// An outline in a triangulation, and how the polygon runs along the edges of that.
 struct Plane {
     delaunay: Delaunay,
     runs: HashMap<[usize; 2], Runs>,
-    /// Corners where edges cross: the ends of one of them, and how far it is from one to the other.
-    added: Vec<([usize; 2], f64)>,
+}
+
+/// What came of drawing an outline.
+enum Drawn {
+    Whole(Plane),
+    /// Two edges cross.
+    Crossed,
+    /// Edges run over each other too often to be more than noise.
+    Tangled,
 }
 
 impl Plane {
-    fn new(outline: &Outline) -> Option<Self> {
-        let delaunay = Delaunay::bulk_load_cdt(outline.places.clone(), Vec::new()).ok()?;
-        (delaunay.num_vertices() == outline.places.len()).then(|| Self {
+    fn of(outline: &Outline) -> Drawn {
+        let places = outline.places.iter();
+        let places: Vec<Point2<f64>> = places.map(|place| Point2::new(place.x, place.y)).collect();
+        let count = places.len();
+        // Many corners on a line would take quadratic time all at once.
+        let (turning, others) = places.split_at(outline.turning);
+        let Ok(mut delaunay) = Delaunay::bulk_load_cdt(turning.to_vec(), Vec::new()) else {
+            return Drawn::Tangled;
+        };
+        for &place in others {
+            if delaunay.insert(place).is_err() {
+                return Drawn::Tangled;
+            }
+        }
+        if delaunay.num_vertices() != count {
+            return Drawn::Tangled;
+        }
+        let mut plane = Self {
             delaunay,
             runs: HashMap::new(),
-            added: Vec::new(),
-        })
+        };
+        // Pieces in all: edges with a few corners on them, not each with all.
+        let mut left = 8 * count + 256;
+        for edge in &outline.edges {
+            if plane.runs_over_many(edge) {
+                return Drawn::Tangled;
+            }
+            let pieces = plane.draw(edge);
+            if pieces == 0 {
+                return Drawn::Crossed;
+            }
+            let Some(rest) = left.checked_sub(pieces) else {
+                return Drawn::Tangled;
+            };
+            left = rest;
+        }
+        Drawn::Whole(plane)
     }
 
-    fn place(&self, corner: usize) -> DVec2 {
-        let Point2 { x, y } = self.delaunay.vertex(handle(corner)).position();
+    /// Makes an edge one of the triangulation, in several pieces where there are corners on it, and notes how the
+    /// polygon runs along them. The number of pieces; 0 if the edge crosses another.
+    fn draw(&mut self, edge: &Edge) -> usize {
+        let [from, to] = edge.ends.map(FixedVertexHandle::from_index);
+        let pieces = self.delaunay.try_add_constraint(from, to);
+        for &piece in &pieces {
+            let [a, b] = self.ends(piece);
+            let known = self.runs.entry([a.min(b), a.max(b)]).or_default();
+            *known = known.joined(edge.runs, a > b);
+        }
+        pieces.len()
+    }
+
+    /// Whether many corners are next to an edge, no farther from it than rounding puts them: it is one that runs over
+    /// others and would take quadratic time to draw.
+    fn runs_over_many(&self, edge: &Edge) -> bool {
+        let [from, to] = edge.ends.map(FixedVertexHandle::from_index);
+        let crossed = LineIntersectionIterator::new_from_handles(&self.delaunay, from, to);
+        let [start, end] = [from, to].map(|corner| self.place(corner));
+        let along = end - start;
+        let is_next = |intersection: &Intersection<Point2<f64>, (), CdtEdge<()>, ()>| {
+            let Intersection::EdgeIntersection(side) = intersection else {
+                return false;
+            };
+            let ends = [side.from(), side.to()].map(|corner| self.place(corner.fix()));
+            let aside = ends.map(|end| along.perp_dot(end - start).abs());
+            aside[0].min(aside[1]) <= NEXT_TO * along.length_squared()
+        };
+        crossed.filter(is_next).nth(MANY).is_some()
+    }
+
+    fn place(&self, corner: FixedVertexHandle) -> DVec2 {
+        let Point2 { x, y } = self.delaunay.vertex(corner).position();
         DVec2::new(x, y)
     }
 
-    /// Makes an edge one of the triangulation, in several pieces where it meets corners or other edges, and notes how
-    /// the polygon runs along it. `None` if that cannot be followed for rounding.
-    fn draw(&mut self, from: usize, to: usize, runs: Runs) -> Option<()> {
-        let before = self.delaunay.num_vertices();
-        let pieces = self
-            .delaunay
-            .add_constraint_and_split(handle(from), handle(to), Corner);
-        let pieces: Vec<[usize; 2]> = pieces.into_iter().map(|piece| self.ends(piece)).collect();
-        let is_chain = pieces.windows(2).all(|pair| pair[0][1] == pair[1][0]);
-        if pieces.first()?[0] != from || pieces.last()?[1] != to || !is_chain {
-            return None;
-        }
-        for &[_, corner] in pieces.iter().filter(|piece| piece[1] >= before) {
-            self.split(corner, &pieces)?;
-        }
-        for corner in before..self.delaunay.num_vertices() {
-            let [start, end, here] = [from, to, corner].map(|corner| self.place(corner));
-            let along = end - start;
-            let at = (here - start).dot(along) / along.length_squared();
-            self.added.push(([from, to], at.clamp(0.0, 1.0)));
-        }
-        for [a, b] in pieces {
-            let known = self.runs.entry([a.min(b), a.max(b)]).or_default();
-            *known = known.joined(runs, a > b);
-        }
-        Some(())
-    }
-
-    /// Hands on what is known of an edge to its halves: this corner was put between them by these pieces of another.
-    fn split(&mut self, corner: usize, pieces: &[[usize; 2]]) -> Option<()> {
-        let vertex = self.delaunay.vertex(handle(corner));
-        let edges = vertex.out_edges().filter(|edge| edge.is_constraint_edge());
-        let ends = edges.map(|edge| edge.to().fix().index());
-        let ends: Vec<usize> = ends
-            .filter(|&end| !pieces.contains(&[end, corner]) && !pieces.contains(&[corner, end]))
-            .collect();
-        let &[a, b] = &ends[..] else { return None };
-        let [low, high] = [a.min(b), a.max(b)];
-        let runs = self.runs.remove(&[low, high])?;
-        // The corner is newer than both ends, so it is the higher one.
-        self.runs.insert([low, corner], runs);
-        self.runs
-            .insert([high, corner], Runs::default().joined(runs, true));
-        Some(())
-    }
-
     fn ends(&self, piece: FixedDirectedEdgeHandle) -> [usize; 2] {
-        let edge = self.delaunay.directed_edge(piece);
-        [edge.from(), edge.to()].map(|end| end.fix().index())
+        ends(self.delaunay.directed_edge(piece))
     }
 
     /// The triangles within. `None` if it depends on the way there whether one is.
@@ -242,39 +195,36 @@ impl Plane {
         let mut turns: Vec<Option<Runs>> = vec![None; self.delaunay.num_all_faces()];
         turns[self.delaunay.outer_face().fix().index()] = Some(Runs::default());
         let hull = self.delaunay.convex_hull();
-        let outside = hull.map(|edge| {
-            if edge.face().is_outer() {
-                edge
-            } else {
-                edge.rev()
-            }
+        let outside = hull.map(|side| match side.face().is_outer() {
+            true => side,
+            false => side.rev(),
         });
-        let mut open: Vec<Edge> = outside.collect();
-        while let Some(edge) = open.pop() {
-            let here = turns[edge.face().fix().index()]?;
-            let there = self.beyond(here, edge);
-            let face = edge.rev().face();
+        let mut open: Vec<Side> = outside.collect();
+        while let Some(side) = open.pop() {
+            let here = turns[side.face().fix().index()]?;
+            let there = self.beyond(here, side);
+            let face = side.rev().face();
             match &mut turns[face.fix().index()] {
                 Some(known) if known.count % 2 == there.count % 2 && known.net == there.net => {}
                 Some(_) => return None,
                 unknown => {
                     *unknown = Some(there);
-                    let edges = face.as_inner().map(|face| face.adjacent_edges());
-                    open.extend(edges.into_iter().flatten());
+                    let sides = face.as_inner().map(|face| face.adjacent_edges());
+                    open.extend(sides.into_iter().flatten());
                 }
             }
         }
         turns.into_iter().collect()
     }
 
-    /// What holds to the right of an edge, if this holds to its left.
-    fn beyond(&self, left: Runs, edge: Edge) -> Runs {
-        let [from, to] = [edge.from(), edge.to()].map(|end| end.fix().index());
+    /// What holds to the right of a side, if this holds to its left.
+    fn beyond(&self, left: Runs, side: Side) -> Runs {
+        let [from, to] = ends(side);
         let runs = self.runs.get(&[from.min(to), from.max(to)]).copied();
         left.joined(runs.unwrap_or_default(), from < to)
     }
 }
 
-fn handle(corner: usize) -> FixedVertexHandle {
-    FixedVertexHandle::from_index(corner)
+fn ends(side: Side) -> [usize; 2] {
+    [side.from(), side.to()].map(|end| end.fix().index())
 }

@@ -207,10 +207,14 @@ impl<'a> Faces<'a> {
                 notes.count(Note::TangledPolygon, line, rest);
                 self.fan(group);
             }
-            Cover::Triangles { triangles, added } => {
+            Cover::Triangles {
+                triangles,
+                added,
+                crossed,
+            } => {
                 if triangles.is_empty() {
                     notes.count(Note::EmptyPolygon, line, rest);
-                } else if !added.is_empty() {
+                } else if crossed {
                     notes.count(Note::CrossedPolygon, line, rest);
                 }
                 for point in added {

@@ -18,6 +18,7 @@ mod look;
 mod materials;
 mod notes;
 mod numbers;
+mod outline;
 mod polygon;
 mod smoothing;
 mod transparency;
