@@ -309,10 +309,63 @@ fn a_polygon_with_a_million_crossings_ends() {
         .collect();
     let scene = obj(model(&flat(&star)));
     assert!(
-        scene.notices[0].contains("cross too often"),
+        scene.notices[0].contains("run over each other too often"),
         "{:?}",
         scene.notices
     );
+}
+
+/// How many triangles a polygon has, and that nothing had to be said.
+fn count(corners: Vec<DVec2>) -> usize {
+    let scene = obj(model(&flat(&corners)));
+    assert!(scene.notices.is_empty(), "{:?}", scene.notices);
+    scene.triangle_count()
+}
+
+#[test]
+fn long_rows_of_corners_on_a_line_take_no_longer_than_others() {
+    // Each would take minutes if every corner changed what the others have.
+    const SIDE: usize = 15_000;
+    let at = |i: usize| i as f64 / SIDE as f64;
+    let base = || (0..SIDE).map(|i| DVec2::new(at(i), 0.0));
+    let top = |height: fn(usize) -> f64| (0..SIDE).map(move |i| DVec2::new(1.0 - at(i), height(i)));
+    assert_eq!(
+        count(
+            base()
+                .chain([DVec2::ONE, DVec2::new(0.5, 0.1), DVec2::Y])
+                .collect()
+        ),
+        SIDE + 1
+    );
+    assert_eq!(count(base().chain(top(|_| 1e-3)).collect()), 2 * SIDE - 2);
+    assert_eq!(
+        count(
+            base()
+                .chain(top(|i| if i % 2 == 0 { 0.2 } else { 0.1 }))
+                .collect()
+        ),
+        2 * SIDE - 2
+    );
+}
+
+#[test]
+fn a_polygon_that_runs_over_itself_again_and_again_ends() {
+    // Rounding puts the corners beside the lines on which they lie, and the long edges run along them.
+    let corners = [DVec2::ZERO, DVec2::X, DVec2::new(0.4, 0.3), DVec2::ZERO];
+    let row = |from: usize| {
+        (0..8000).map(move |i| corners[from].lerp(corners[from + 1], f64::from(i) / 8000.0))
+    };
+    let outline: Vec<DVec2> = (0..9).flat_map(|i| row(i % 3).step_by(1 + i / 3)).collect();
+    let scene = obj(model(&flat(&outline)));
+    assert!(
+        scene.notices[0].contains("run over each other too often"),
+        "{:?}",
+        scene.notices
+    );
+    let stride: Vec<DVec2> = (0..60_000)
+        .map(|i| DVec2::new(f64::from(i * 7919 % 60_000), f64::from(i % 9000 / 8999)))
+        .collect();
+    assert!(obj(model(&flat(&stride))).triangle_count() > 0);
 }
 
 /// Corners around the origin at growing angles: seen from there each is visible.

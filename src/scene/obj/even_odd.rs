@@ -18,21 +18,29 @@ type Side<'a> = DirectedEdgeHandle<'a, Point2<f64>, (), CdtEdge<()>, ()>;
 /// How often edges are cut where they cross. Once is enough but for rounding, which may move a piece across another.
 const MOST_CUTS: usize = 8;
 
-/// How far a corner is from an edge that it is no more than next to, relative to the edge's length.
-const NEXT_TO: f64 = 1e-9;
+/// Edges that have at most so many in their way cost next to nothing.
+const FEW: usize = 256;
 
-/// More corners than these are many.
-const MANY: usize = 64;
+/// How much may still be spent on edges that have many others in their way. Those of corners in one long row take a time
+/// that grows with the square of their number, and a model may have many.
+pub(super) struct Effort(usize);
+
+impl Default for Effort {
+    /// A second or so.
+    fn default() -> Self {
+        Self(1 << 25)
+    }
+}
 
 /// Covers a polygon that `flat` has on a plane and `places` in space.
-pub(super) fn cover(flat: &[DVec2], places: &[DVec3]) -> Cover {
+pub(super) fn cover(flat: &[DVec2], places: &[DVec3], effort: &mut Effort) -> Cover {
     let mut outline = Outline::new(flat);
     // One that goes to and fro more often than this is noise.
     if outline.spikes > 64 + flat.len() / 256 {
         return Cover::Tangled;
     }
     for cuts in 0..=MOST_CUTS {
-        match Plane::of(&outline) {
+        match Plane::of(&outline, effort) {
             Drawn::Whole(plane) => {
                 return match plane.within() {
                     Some(within) => named(&outline, &within, places, cuts > 0),
@@ -85,7 +93,7 @@ enum Drawn {
 }
 
 impl Plane {
-    fn of(outline: &Outline) -> Drawn {
+    fn of(outline: &Outline, effort: &mut Effort) -> Drawn {
         let places = outline.places.iter();
         let places: Vec<Point2<f64>> = places.map(|place| Point2::new(place.x, place.y)).collect();
         let count = places.len();
@@ -109,7 +117,7 @@ impl Plane {
         // Pieces in all: edges with a few corners on them, not each with all.
         let mut left = 8 * count + 256;
         for edge in &outline.edges {
-            if plane.runs_over_many(edge) {
+            if plane.pay(edge, effort).is_none() {
                 return Drawn::Tangled;
             }
             let pieces = plane.draw(edge);
@@ -137,27 +145,17 @@ impl Plane {
         pieces.len()
     }
 
-    /// Whether many corners are next to an edge, no farther from it than rounding puts them: it is one that runs over
-    /// others and would take quadratic time to draw.
-    fn runs_over_many(&self, edge: &Edge) -> bool {
+    /// Takes what it may cost to draw an edge from what is left: the square of the edges in its way. `None` if it is
+    /// too much.
+    fn pay(&self, edge: &Edge, effort: &mut Effort) -> Option<()> {
         let [from, to] = edge.ends.map(FixedVertexHandle::from_index);
-        let crossed = LineIntersectionIterator::new_from_handles(&self.delaunay, from, to);
-        let [start, end] = [from, to].map(|corner| self.place(corner));
-        let along = end - start;
-        let is_next = |intersection: &Intersection<Point2<f64>, (), CdtEdge<()>, ()>| {
-            let Intersection::EdgeIntersection(side) = intersection else {
-                return false;
-            };
-            let ends = [side.from(), side.to()].map(|corner| self.place(corner.fix()));
-            let aside = ends.map(|end| along.perp_dot(end - start).abs());
-            aside[0].min(aside[1]) <= NEXT_TO * along.length_squared()
-        };
-        crossed.filter(is_next).nth(MANY).is_some()
-    }
-
-    fn place(&self, corner: FixedVertexHandle) -> DVec2 {
-        let Point2 { x, y } = self.delaunay.vertex(corner).position();
-        DVec2::new(x, y)
+        let met = LineIntersectionIterator::new_from_handles(&self.delaunay, from, to);
+        let crossed = met.filter(|met| matches!(met, Intersection::EdgeIntersection(_)));
+        let count = crossed.count();
+        if count > FEW {
+            effort.0 = effort.0.checked_sub(count * count)?;
+        }
+        Some(())
     }
 
     fn ends(&self, piece: FixedDirectedEdgeHandle) -> [usize; 2] {

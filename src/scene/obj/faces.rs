@@ -8,6 +8,7 @@ use glam::DVec3;
 
 use super::corner::{Corner, Counts, Here};
 use super::cover::{Cover, Point};
+use super::even_odd::Effort;
 use super::notes::{Note, Notes};
 use super::polygon;
 use super::smoothing::Smoothing;
@@ -49,6 +50,7 @@ pub(super) struct Faces<'a> {
     pub(super) count: usize,
     /// How many vertices `text` has.
     written: usize,
+    effort: Effort,
     corners: Vec<Corner>,
     places: Vec<DVec3>,
 }
@@ -101,6 +103,7 @@ impl<'a> Faces<'a> {
             head: Vec::new(),
             count: 0,
             written: vertices.positions.len(),
+            effort: Effort::default(),
             corners: Vec::new(),
             places: Vec::new(),
         }
@@ -201,7 +204,7 @@ impl<'a> Faces<'a> {
             true => self.smoothing.of_face(&mut self.text),
             false => None,
         };
-        match polygon::cover(&self.places) {
+        match polygon::cover(&self.places, &mut self.effort) {
             Cover::Fan => self.fan(group),
             Cover::Tangled => {
                 notes.count(Note::TangledPolygon, line, rest);

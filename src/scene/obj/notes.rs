@@ -122,7 +122,7 @@ impl Note {
                 some("polygon")
             ),
             Self::TangledPolygon => format!(
-                "{} {have} edges that cross too often to be told inside from outside: drawn as a fan of triangles, which may lie over each other",
+                "{} {have} edges that cross or run over each other too often for inside and outside to be told apart: drawn as a fan of triangles, which may lie over each other",
                 some("polygon")
             ),
             Self::EmptyPolygon => format!(

@@ -3,11 +3,11 @@
 use glam::{DVec2, DVec3};
 
 use super::cover::Cover;
-use super::even_odd;
+use super::even_odd::{self, Effort};
 
 /// Covers what lies within a polygon once, facing to where it is seen counter-clockwise. A convex one is a fan; of any
 /// other the even-odd rule says what lies within, on the plane that fits it best.
-pub(super) fn cover(places: &[DVec3]) -> Cover {
+pub(super) fn cover(places: &[DVec3], effort: &mut Effort) -> Cover {
     if places.len() == 3 {
         return Cover::Fan;
     }
@@ -17,7 +17,7 @@ pub(super) fn cover(places: &[DVec3]) -> Cover {
     if is_convex(&flat) {
         return Cover::Fan;
     }
-    even_odd::cover(&flat, places)
+    even_odd::cover(&flat, places, effort)
 }
 
 /// By a power of two, which rounds nothing, to coordinates of at most 1.
