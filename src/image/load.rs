@@ -21,6 +21,9 @@ const MAX_BYTES: u64 = 2 << 30;
 /// Bytes of memory for each pixel: as the file has it, at most four floats, the same as floats, and as pixels.
 const BYTES_PER_PIXEL: u64 = 3 * 16;
 
+/// Bytes for each pixel of a data window: unpacked, and as the channels that are wanted.
+const BYTES_PER_KEPT_PIXEL: u64 = 2 * 16;
+
 impl Image {
     /// Reads a `.png` or `.exr`. 8-bit values are taken as linear.
     ///
@@ -37,8 +40,12 @@ impl Image {
     pub fn load_within(path: impl AsRef<Path>, memory: &MemoryLimit) -> Result<Self> {
         let path = path.as_ref();
         let format = format_of(path)?;
-        let [width, height] = Self::size_of_file(path)?;
-        let bytes = (u64::from(width) * u64::from(height)).saturating_mul(BYTES_PER_PIXEL);
+        let ([width, height], kept) = header(path)?;
+        let shown = u64::from(width) * u64::from(height);
+        let decoded_first = kept.saturating_mul(BYTES_PER_KEPT_PIXEL);
+        let bytes = shown
+            .saturating_mul(BYTES_PER_PIXEL)
+            .saturating_add(decoded_first);
         memory
             .check(bytes)
             .map_err(|short| short.at(Place::file(path), format!("{width} x {height} pixels")))?;
@@ -59,17 +66,26 @@ impl Image {
     /// # Errors
     /// If the file is not there or is not what its name says.
     pub fn size_of_file(path: impl AsRef<Path>) -> Result<[u32; 2]> {
-        let path = path.as_ref();
-        let reader = ImageReader::with_format(open(path)?, format_of(path)?);
-        let (width, height) = decoded(path, || reader.into_dimensions())?;
-        if format_of(path)? == ImageFormat::OpenExr {
-            expect_near(path, [width, height], data_windows(path)?)?;
-        }
-        if width == 0 || height == 0 {
-            return Err(wrong(path, format!("it has {width} x {height} pixels")));
-        }
-        Ok([width, height])
+        Ok(header(path.as_ref())?.0)
     }
+}
+
+/// The picture's size, and how many pixels its file keeps besides, which the decoder makes room for: those of the data
+/// windows of an EXR.
+fn header(path: &Path) -> Result<([u32; 2], u64)> {
+    let format = format_of(path)?;
+    let reader = ImageReader::with_format(open(path)?, format);
+    let (width, height) = decoded(path, || reader.into_dimensions())?;
+    if width == 0 || height == 0 {
+        return Err(wrong(path, format!("it has {width} x {height} pixels")));
+    }
+    let size = [width, height];
+    if format != ImageFormat::OpenExr {
+        return Ok((size, 0));
+    }
+    let kept = data_windows(path)?;
+    expect_near(path, size, kept)?;
+    Ok((size, kept))
 }
 
 fn format_of(path: &Path) -> Result<ImageFormat> {
