@@ -23,6 +23,8 @@ use crate::error::{Error, Place};
 pub struct MemoryLimit {
     bytes: u64,
     taken: Arc<AtomicU64>,
+    /// Whether a person has set it.
+    given: bool,
 }
 
 /// More was wanted than is left.
@@ -37,6 +39,14 @@ pub struct Shortage {
 /// What a machine keeps for the rest of the program, and for all others: an eighth of what is available.
 const RESERVE: u64 = 8;
 
+/// What any file may take in memory, in bytes, however small it is: 48 Mi samples, such as 512 x 512 x 192. A renderer on
+/// the processor holds them twice, and both must stay under 500 MB.
+const OF_A_SMALL_FILE: u64 = 192 << 20;
+
+/// How many bytes in memory a byte of a file may become beyond [`OF_A_SMALL_FILE`]. Measured data packs 2 to 10 times, and
+/// bytes become 32-bit samples; masks of large volumes pack better than this, and need a word of their owner.
+const MOST_FOR_A_BYTE: u64 = 192;
+
 const REMEDY: &str = "Ask for less, or allow more memory with --max-memory.";
 
 impl Default for MemoryLimit {
@@ -46,11 +56,12 @@ impl Default for MemoryLimit {
 }
 
 impl MemoryLimit {
-    /// So many bytes.
+    /// So many bytes, as a person has set them.
     pub fn of(bytes: u64) -> Self {
         Self {
             bytes,
             taken: Arc::default(),
+            given: true,
         }
     }
 
@@ -58,7 +69,10 @@ impl MemoryLimit {
     /// (container) that the process runs in. Where the system does not say, there is no limit.
     pub fn of_machine() -> Self {
         let available = available().unwrap_or(u64::MAX);
-        Self::of(available - available / RESERVE)
+        Self {
+            given: false,
+            ..Self::of(available - available / RESERVE)
+        }
     }
 
     /// Bytes that are left.
@@ -75,6 +89,23 @@ impl MemoryLimit {
         self.check(bytes)?;
         self.taken.fetch_add(bytes, Ordering::Relaxed);
         Ok(())
+    }
+
+    /// Takes so many bytes for what is unpacked from files of `on_disk` bytes. Unless a person has set the limit, more than
+    /// [`OF_A_SMALL_FILE`] are refused where they are more than [`MOST_FOR_A_BYTE`] for a byte of the files: a few hundred
+    /// kilobytes from anywhere must not take what the machine has.
+    ///
+    /// # Errors
+    /// Fewer are left, or the files are too small for them. Nothing is taken then.
+    pub(crate) fn take_from_files(&self, bytes: u64, on_disk: u64) -> Result<(), Shortage> {
+        let most = OF_A_SMALL_FILE.max(on_disk.saturating_mul(MOST_FOR_A_BYTE));
+        if !self.given && bytes > most {
+            return Err(Shortage {
+                wanted: bytes,
+                left: most.min(self.left()),
+            });
+        }
+        self.take(bytes)
     }
 
     /// Asks for so many bytes for a while: to be called before they are allocated, for what is freed again soon.
@@ -223,6 +254,31 @@ mod tests {
         copy.take(40).unwrap();
         assert_eq!(memory.left(), 0);
         assert!(memory.take(u64::MAX).is_err());
+    }
+
+    #[test]
+    fn a_small_file_gets_what_a_person_allows_or_little() {
+        let most = OF_A_SMALL_FILE;
+        let default = MemoryLimit {
+            given: false,
+            ..MemoryLimit::of(1 << 40)
+        };
+        default.take_from_files(most, 1).unwrap();
+        let shortage = default.take_from_files(most + 1, 1 << 20).unwrap_err();
+        assert_eq!(shortage.left, most);
+        default.take_from_files(2 * most, 2 << 20).unwrap();
+        assert!(default.take_from_files(2 * most + 1, 2 << 20).is_err());
+        assert_eq!(
+            default.left(),
+            (1 << 40) - 3 * most,
+            "a refusal takes nothing"
+        );
+        let given = MemoryLimit::of(1 << 40);
+        given.take_from_files(1 << 40, 1).unwrap();
+        assert!(
+            given.take_from_files(1, u64::MAX).is_err(),
+            "nothing is left"
+        );
     }
 
     #[test]

@@ -3,6 +3,7 @@
 mod scene_kit;
 mod volume_kit;
 
+use scene_kit::refused;
 use volume_kit::*;
 
 /// The most memory that the process has ever asked for, in KiB, touched or not; nothing where there is no /proc.
@@ -65,9 +66,35 @@ fn headers_that_promise_gigabytes_cost_nothing() {
     assert!(grown < 72 << 10, "{grown} KiB");
     assert_eq!(volume.samples().len(), 1 << 24);
     drop(volume);
+    small_files_are_refused_what_no_person_allowed(&cube);
     // That the peak would show it.
     let before = peak().expect("it was there before");
     let wanted = vec![0_u8; 512 << 20];
     assert!(std::hint::black_box(&wanted)[1 << 20] == 0);
     assert!(peak().expect("it was there before") - before > 400 << 10);
+}
+
+/// 144 Mi samples of a small file, packed as NIfTI and as NRRD, at once and in a list that names one file many times.
+fn small_files_are_refused_what_no_person_allowed(cube: &Nifti) {
+    let before = peak().expect("it was there before");
+    let large = Nifti {
+        dim: [3, 512, 512, 576, 1, 1, 1, 1],
+        ..cube.clone()
+    };
+    let nifti = gzip_with_zeros(&large.bytes(), 144 << 20);
+    let head = nrrd_head("uchar", "gzip", "little", "").replace("2 3 4", "512 512 576");
+    let nrrd = [head.as_bytes(), b"\n", &gzip_with_zeros(b"", 144 << 20)].concat();
+    let one = gzip_with_zeros(b"", 1 << 20);
+    let listed = format!("{head}data file: LIST\n{}", "z.gz\n".repeat(288));
+    let listed = listed.replace("512 512 576", "1024 1024 288");
+    for files in [
+        vec![("v.nii.gz", &nifti[..])],
+        vec![("v.nrrd", &nrrd)],
+        vec![("v.nhdr", listed.as_bytes()), ("z.gz", &one)],
+    ] {
+        assert!(files.iter().all(|(_, bytes)| bytes.len() < 1 << 20));
+        refused(load(&files)).says("no more than 192.0 MiB");
+    }
+    let grown = peak().expect("it was there before") - before;
+    assert!(grown < 64 << 10, "{grown} KiB");
 }

@@ -30,10 +30,11 @@ pub(in crate::scene) struct Wish<'a> {
 }
 
 impl Wish<'_> {
-    /// Asks for room for so many samples. To be called before anything is taken for them, by what the header says.
-    pub(super) fn expect_room(&self, samples: usize) -> Result<(), Fault> {
+    /// Asks for room for so many samples of files of `on_disk` bytes in all. To be called before anything is taken for
+    /// them, by what the header says.
+    pub(super) fn expect_room(&self, samples: usize, on_disk: u64) -> Result<(), Fault> {
         let bytes = samples as u64 * size_of::<f32>() as u64;
-        let room = self.memory.take(bytes);
+        let room = self.memory.take_from_files(bytes, on_disk);
         room.map_err(|shortage| shortage.words(format_args!("{samples} samples")))
     }
 
@@ -214,7 +215,7 @@ mod tests {
                 memory: &full,
                 ..wish
             }
-            .expect_room(24)
+            .expect_room(24, 96)
             .unwrap_err();
             assert!(what.contains("24 samples take 96 bytes"), "{what}");
             assert!(what.contains("no more than 95 bytes"), "{what}");

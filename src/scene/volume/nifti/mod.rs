@@ -30,7 +30,7 @@ pub(super) fn read(path: &Path, bytes: &[u8], wish: &Wish) -> Result<Loaded> {
         Header::read(path, bytes)?
     };
     let layout = layout(path, &header)?;
-    wish.expect_room(layout.count())
+    wish.expect_room(layout.count(), bytes.len() as u64)
         .map_err(|fault| too_large(path, fault))?;
     let mut samples = if packed {
         unpack(path, bytes, &header, &layout)?

@@ -1,6 +1,6 @@
 //! Where the samples' bytes are: after the header, in a file of their own, or spread over several files.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::path::PathBuf;
 
 use super::axes::Axes;
@@ -102,6 +102,25 @@ impl<'h> Files<'h> {
         Err(header.wrong("data file", what, "Name a file for each part."))
     }
 
+    /// Bytes of all files but the header's own, each counted once, up to the first one that is missing: a header can
+    /// number more files than any disk has.
+    pub(super) fn bytes(&self, header: &Header) -> u64 {
+        let mut known = HashSet::new();
+        let sizes = self.all(header).map_while(|path| {
+            let size = path.metadata().ok()?.len();
+            Some(if known.insert(path) { size } else { 0 })
+        });
+        sizes.fold(0, u64::saturating_add)
+    }
+
+    fn all<'f>(&'f self, header: &'f Header) -> impl Iterator<Item = PathBuf> + 'f {
+        let count = match self {
+            Self::Attached => 0,
+            _ => self.count(),
+        };
+        (0..count).map(move |number| beside(header.path, &self.name(number)))
+    }
+
     /// The paths of the files but the header's own, one after the other. What they have together is held against the
     /// limit of a single file.
     pub(super) fn paths<'f>(
@@ -110,12 +129,7 @@ impl<'h> Files<'h> {
     ) -> impl Iterator<Item = Result<PathBuf>> + 'f {
         let mut sizes: HashMap<PathBuf, u64> = HashMap::new();
         let mut total = 0;
-        let count = match self {
-            Self::Attached => 0,
-            _ => self.count(),
-        };
-        (0..count).map(move |number| {
-            let path = beside(header.path, &self.name(number));
+        self.all(header).enumerate().map(move |(number, path)| {
             let size = *sizes
                 .entry(path.clone())
                 .or_insert_with(|| std::fs::metadata(&path).map_or(0, |metadata| metadata.len()));

@@ -38,9 +38,10 @@ pub(super) fn read(path: &Path, bytes: &[u8], wish: &Wish) -> Result<Loaded> {
         stored,
         endian: endian(&header, stored, encoding)?,
     };
-    wish.expect_room(layout.count())
-        .map_err(|(what, remedy)| header.wrong("sizes", what, remedy))?;
     let files = Files::of(&header, &axes)?;
+    let on_disk = bytes.len() as u64 + files.bytes(&header);
+    wish.expect_room(layout.count(), on_disk)
+        .map_err(|(what, remedy)| header.wrong("sizes", what, remedy))?;
     let samples = samples(&header, &layout, encoding, &files, bytes, wish)?;
     let placement = placement::read(&header, &axes)?;
     let mut notices = header.notices();

@@ -31,10 +31,16 @@ impl Image {
         })
     }
 
-    /// All of its samples.
-    pub(super) fn block(&self, document: &Document, kind: Kind, wish: &Wish) -> Result<Block> {
+    /// All of its samples, in files of `on_disk` bytes.
+    pub(super) fn block(
+        &self,
+        document: &Document,
+        kind: Kind,
+        wish: &Wish,
+        on_disk: u64,
+    ) -> Result<Block> {
         let block = kind.block(self.extent);
-        let checked = check::dims(block.dims()).and_then(|count| wish.expect_room(count));
+        let checked = check::dims(block.dims()).and_then(|count| wish.expect_room(count, on_disk));
         checked.map_err(|(what, remedy)| {
             let what = match kind {
                 Kind::Points => what,

@@ -37,7 +37,7 @@ pub(super) fn read(path: &Path, bytes: &[u8], wish: &Wish) -> Result<Loaded> {
     let image = Image::read(&document, element)?;
     let first = first_piece(&document, element, &image)?;
     let (choice, notice) = arrays::choose(&document, first, "", wish)?;
-    let whole = image.block(&document, choice.kind, wish)?;
+    let whole = image.block(&document, choice.kind, wish, bytes.len() as u64)?;
     let mut assembly = Assembly::of(whole);
     add_pieces(&document, root, &choice, &mut assembly)?;
     finish(&document, &image, whole, &choice, assembly, notice, wish)
@@ -51,7 +51,7 @@ pub(super) fn read_parallel(path: &Path, bytes: &[u8], wish: &Wish) -> Result<Lo
     let element = element(&document, root, "PImageData")?;
     let image = Image::read(&document, element)?;
     let (choice, notice) = arrays::choose(&document, element, "P", wish)?;
-    let whole = image.block(&document, choice.kind, wish)?;
+    let whole = image.block(&document, choice.kind, wish, bytes_of_pieces(path, element))?;
     let mut assembly = Assembly::of(whole);
     let mut named = HashSet::new();
     for piece in children(element, "Piece") {
@@ -69,6 +69,16 @@ pub(super) fn read_parallel(path: &Path, bytes: &[u8], wish: &Wish) -> Result<Lo
         add_file(&beside(path, source), &choice, &mut assembly, wish)?;
     }
     finish(&document, &image, whole, &choice, assembly, notice, wish)
+}
+
+/// Bytes of all files that pieces name, each counted once. A file that is missing has none.
+fn bytes_of_pieces(path: &Path, element: Node) -> u64 {
+    let sources = children(element, "Piece").filter_map(|piece| piece.attribute("Source"));
+    let sources: HashSet<_> = sources.collect();
+    let sizes = sources
+        .iter()
+        .filter_map(|source| beside(path, source).metadata().ok());
+    sizes.map(|metadata| metadata.len()).sum()
 }
 
 fn add_file(path: &Path, choice: &Choice, assembly: &mut Assembly, wish: &Wish) -> Result<()> {
