@@ -7,7 +7,7 @@ DEMO_METHOD := depth-peeling
 DEMO_IMAGE  := out/molecule.png
 
 # The tests that open an OpenGL context; they run once for each backend.
-GL_TESTS := $(basename $(notdir $(sort $(wildcard tests/gl_*.rs))))
+GL_TESTS := $(notdir $(patsubst %/,%,$(dir $(sort $(wildcard tests/gl*/main.rs)))))
 EXAMPLES := $(basename $(notdir $(sort $(wildcard examples/*.rs))))
 
 # Cargo is parallel by itself and locks its build folder: -j would only mix the
@@ -43,7 +43,7 @@ lint:
 
 # One test at a time: llvmpipe rasterises with every core as it is, and Mesa 22.3 was once seen to crash (SIGSEGV, not
 # reproduced in hundreds of runs) while contexts of two test threads drew at once. That several threads may have contexts
-# is what tests/gl_context.rs tests.
+# is what tests/gl_guest/context.rs tests.
 unit gl-osmesa: export RUST_TEST_THREADS = 1
 
 # Unit, integration and doc tests.
@@ -54,7 +54,7 @@ unit:
 gl-osmesa: TEST_ON_OSMESA = ONIONSKIN_BACKEND=osmesa $(CARGO) test --locked $(addprefix --test ,$(GL_TESTS))
 gl-osmesa:
 ifeq ($(GL_TESTS),)
-	@echo "skipped: GL tests on OSMesa (there are no tests/gl_*.rs)"
+	@echo "skipped: GL tests on OSMesa (there are no tests/gl*/main.rs)"
 else
 	@if .ci/setup has-osmesa; then \
 	    echo "$(TEST_ON_OSMESA)"; \

@@ -1,10 +1,9 @@
 //! A header that promises gigabytes costs no memory, and packed samples cost no more than the samples. One test alone in its process, whose memory is looked at.
 
-mod scene_kit;
-mod volume_kit;
+mod kit;
 
-use scene_kit::refused;
-use volume_kit::*;
+use kit::scene::refused;
+use kit::volume::*;
 
 /// The most memory that the process has ever asked for, in KiB, touched or not; nothing where there is no /proc.
 fn peak() -> Option<u64> {

@@ -1,10 +1,10 @@
-//! Negative controls: shaders of volumes with one changed word, each of which a comparison that `tests/gl_fused.rs` and
-//! `tests/gl_slices.rs` make must refuse.
+//! Negative controls: shaders of volumes with one changed word, each of which a comparison that `tests/gl/fused.rs` and
+//! `tests/gl/slices.rs` make must refuse.
 
-#[path = "../../tests/common/fog_scenes.rs"]
+#[path = "../../tests/kit/fog_scenes.rs"]
 #[allow(dead_code)]
 mod fog_scenes;
-#[path = "../../tests/common/slack.rs"]
+#[path = "../../tests/kit/slack.rs"]
 #[allow(dead_code)]
 mod slack;
 
@@ -15,7 +15,7 @@ use crate::gl::Context;
 use crate::gl::glsl::changed::{Change, changing};
 use crate::scene::Scene;
 
-/// The issue's, as in `tests/gl_fused.rs`.
+/// The issue's, as in `tests/gl/fused.rs`.
 const BOUND: f64 = 1e-4;
 
 const RAY: &str = "a_buffer/volume_ray.glsl";

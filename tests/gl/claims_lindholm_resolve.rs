@@ -1,0 +1,326 @@
+//! The claims of Lindholm et al. 2015 about the Resolve Step, L09 to L15 and L18, each under its key, and what happens
+//! when ppAO and ppDP are run as printed.
+
+use onionskin::image::Comparison;
+use onionskin::methods::{ABufferOptions, CountBy};
+use onionskin::scene::generate::Order;
+use onionskin::{Context, Method, Renderer};
+
+use crate::kit::a_buffer::*;
+
+use crate::kit::pp_dp::{Rule, peel};
+
+use crate::kit::stack::{Stack, row, scattered};
+
+#[test]
+fn l09_a_static_array_loses_everything_past_n_and_says_so() {
+    let context = Context::headless().unwrap();
+    let counts = [3, 8, 9, 20, 64, 100];
+    let stack = row(&counts);
+    let mut renderer = Renderer::new(&context, 6, 1).unwrap();
+    for manager in MANAGERS {
+        for array in [8, 64] {
+            let options = ABufferOptions {
+                manager,
+                array,
+                ..options()
+            };
+            let (frame, cost) = render(&mut renderer, &stack.scene(), options);
+            let lost: usize = counts
+                .iter()
+                .map(|&c| c.saturating_sub(array as usize))
+                .sum();
+            let pixels = counts.iter().filter(|&&c| c > array as usize).count();
+            assert_eq!(frame.stats.lost, Some(lost as u64));
+            assert_eq!(cost.truncated_pixels, pixels as u64);
+            assert_eq!(frame.stats.stopped_text(), "local array full");
+            let error = Comparison::new(&frame.image, &stack.expected(), F32).unwrap();
+            assert_eq!(error.over, pixels, "the others are right: {error:?}");
+        }
+    }
+}
+
+#[test]
+fn l10_the_fill_counts_and_no_geometry_pass_is_added() {
+    let context = Context::headless().unwrap();
+    let scene = bundled("soup.toml", [160, 120]);
+    let mut renderer = Renderer::new(&context, 160, 120).unwrap();
+    for as_printed in [false, true] {
+        let (plain, static_cost) = render(&mut renderer, &scene, options());
+        let (frame, cost) = render(
+            &mut renderer,
+            &scene,
+            ABufferOptions {
+                pp_ao: true,
+                as_printed,
+                ..options()
+            },
+        );
+        assert_eq!(frame.stats.geometry_passes, plain.stats.geometry_passes);
+        assert!(frame.image == plain.image);
+        // Figure 5's grey areas: less is reserved, as much is used.
+        assert_eq!(cost.slots_used, static_cost.slots_used);
+        assert!(cost.slots_reserved * 4 < static_cost.slots_reserved);
+        // Every covered pixel in one segment.
+        let covered = renderer
+            .complexity(&scene, CountBy::Blending)
+            .unwrap()
+            .covered();
+        assert_eq!(cost.resolved, covered);
+    }
+}
+
+/// Each pixel's array is the smallest of 8, 16, 32 and 64 that holds its fragments.
+#[test]
+fn l10_every_pixel_is_resolved_by_the_smallest_segment_that_holds_it() {
+    let context = Context::headless().unwrap();
+    for complexity in [1, 7, 8, 9, 16, 17, 32, 33, 64] {
+        let mut renderer = Renderer::new(&context, 2, 1).unwrap();
+        let options = ABufferOptions {
+            pp_ao: true,
+            ..options()
+        };
+        let (_, cost) = render(&mut renderer, &row(&[complexity; 2]).scene(), options);
+        let smallest = [8, 16, 32, 64]
+            .into_iter()
+            .find(|&n| n >= complexity)
+            .unwrap();
+        assert_eq!(cost.slots_reserved, 2 * smallest as u64, "{complexity}");
+    }
+}
+
+/// 255 and more in one segment, none lost, by the amended counter and ppDP.
+#[test]
+fn l11_complexities_of_255_and_more_share_the_last_segment_and_none_is_lost() {
+    let context = Context::headless().unwrap();
+    let stack = row(&[254, 255, 256, 257, 300, 600]);
+    let mut renderer = Renderer::new(&context, 6, 1).unwrap();
+    let options = ABufferOptions {
+        pp_ao: true,
+        pp_dp: true,
+        ..options()
+    };
+    let (frame, cost) = render(&mut renderer, &stack.scene(), options);
+    assert_eq!((frame.stats.lost, cost.resolved), (Some(0), 6));
+    let error = Comparison::new(&frame.image, &stack.expected(), F32).unwrap();
+    assert_eq!(error.over, 0, "{error:?}");
+}
+
+/// Erratum L5: `depth complexity(p) <= i` holds in no segment.
+#[test]
+fn l11_as_printed_the_stencil_loses_what_lies_past_the_last_segment() {
+    let context = Context::headless().unwrap();
+    let stack = row(&[64, 65, 100, 300]);
+    let mut renderer = Renderer::new(&context, 4, 1).unwrap();
+    for pp_dp in [false, true] {
+        let options = ABufferOptions {
+            pp_ao: true,
+            pp_dp,
+            as_printed: true,
+            ..options()
+        };
+        let (frame, _) = render(&mut renderer, &stack.scene(), options);
+        assert_eq!(frame.stats.lost, Some(65 + 100 + 300));
+    }
+}
+
+/// Errata L6 and L7 on the driver's own stencil buffer: INVERT puts a complexity of 127 to 128, which is another segment's.
+#[test]
+fn l07_as_printed_pixels_are_resolved_twice() {
+    let context = Context::headless().unwrap();
+    let counts = [100, 126, 127, 128];
+    let stack = row(&counts);
+    let mut renderer = Renderer::new(&context, 4, 1).unwrap();
+    let printed = ABufferOptions {
+        pp_ao: true,
+        array: 256,
+        as_printed: true,
+        ..options()
+    };
+    let (frame, cost) = render(&mut renderer, &stack.scene(), printed);
+    // 256 is clamped to 255, so that its segment takes 127 and 128 twice; 128 is resolved in it for the first time.
+    assert!(cost.resolved > 4, "{}", cost.resolved);
+    let error = Comparison::new(&frame.image, &stack.expected(), F32).unwrap();
+    assert!(error.over > 0, "blended twice: {error:?}");
+    let amended = ABufferOptions {
+        as_printed: false,
+        ..printed
+    };
+    let (frame, cost) = render(&mut renderer, &stack.scene(), amended);
+    assert_eq!(cost.resolved, 4);
+    let error = Comparison::new(&frame.image, &stack.expected(), F32).unwrap();
+    assert_eq!(error.over, 0, "{error:?}");
+}
+
+/// The bound, and that it is not reached: the pseudocode resolves n, not n - 1 (erratum L2).
+#[test]
+fn l12_a_pixel_takes_at_most_d_over_n_minus_1_subpasses() {
+    let context = Context::headless().unwrap();
+    let mut renderer = Renderer::new(&context, 1, 1).unwrap();
+    for complexity in [1, 7, 8, 9, 24, 64, 65, 200] {
+        for n in [2, 5, 8, 13] {
+            let options = ABufferOptions {
+                pp_dp: true,
+                peel: n,
+                ..options()
+            };
+            let (frame, cost) = render(&mut renderer, &row(&[complexity]).scene(), options);
+            assert_eq!(frame.stats.lost, Some(0));
+            assert!(cost.most_subpasses as usize <= complexity.div_ceil(n as usize - 1));
+            assert_eq!(
+                cost.most_subpasses as usize,
+                complexity.div_ceil(n as usize)
+            );
+            assert_eq!(
+                cost.records_read,
+                u64::from(cost.most_subpasses) * complexity as u64
+            );
+        }
+    }
+}
+
+/// Errata L1 and L4: what the printed rule loses, fragment by fragment, is what a twin in Rust says it must; and the
+/// amended rule loses none.
+#[test]
+fn l13_as_printed_ties_are_lost_where_a_buffer_ends_and_amended_none() {
+    let context = Context::headless().unwrap();
+    let mut renderer = Renderer::new(&context, 4, 1).unwrap();
+    let mut lost_in_all = 0;
+    for levels in [1, 3, 12, 64] {
+        for complexity in [8, 20, 24] {
+            let stack = tied(complexity, levels);
+            let scene = stack.scene();
+            let printed = ABufferOptions {
+                pp_dp: true,
+                as_printed: true,
+                ..options()
+            };
+            let (frame, cost) = render(&mut renderer, &scene, printed);
+            let mut expected = (0, 0);
+            for pieces in &stack.pixels {
+                let depths: Vec<u32> = pieces
+                    .iter()
+                    .map(|piece| u32::from(piece.level) + 1)
+                    .collect();
+                let twin = peel(&depths, 8, Rule::Printed);
+                expected.0 += twin.lost as u64;
+                expected.1 += twin.subpasses as u64;
+            }
+            assert_eq!(frame.stats.lost, Some(expected.0), "{levels} {complexity}");
+            assert_eq!(cost.subpasses, expected.1, "{levels} {complexity}");
+            lost_in_all += expected.0;
+
+            let amended = ABufferOptions {
+                as_printed: false,
+                ..printed
+            };
+            let (frame, _) = render(&mut renderer, &scene, amended);
+            assert_eq!(frame.stats.lost, Some(0));
+            let error = Comparison::new(&frame.image, &stack.expected(), F32).unwrap();
+            assert_eq!(error.over, 0, "{error:?}");
+        }
+    }
+    assert!(
+        lost_in_all > 50,
+        "{lost_in_all}: there is something to lose"
+    );
+}
+
+#[test]
+fn l14_pp_ao_and_pp_dp_together_give_the_exact_image_too() {
+    let context = Context::headless().unwrap();
+    let scene = bundled("slices.toml", [160, 120]);
+    let mut renderer = Renderer::new(&context, 160, 120).unwrap();
+    let exact = renderer.render(&scene, &Method::Exact).unwrap();
+    for manager in MANAGERS {
+        let both = ABufferOptions {
+            manager,
+            pp_ao: true,
+            pp_dp: true,
+            array: 16,
+            ..options()
+        };
+        let (frame, cost) = render(&mut renderer, &scene, both);
+        assert_eq!(frame.stats.lost, Some(0));
+        let error = Comparison::new(&frame.image, &exact.image, F32).unwrap();
+        assert_eq!(error.over, 0, "{error:?}");
+        assert!(cost.most_subpasses > 3, "{}", cost.most_subpasses);
+    }
+}
+
+/// What a ray has not seen when it ends weighs less than the threshold, and no colour is over 1.
+#[test]
+fn l15_early_ray_termination_errs_by_less_than_its_threshold_and_saves_work() {
+    let context = Context::headless().unwrap();
+    let mut scene = sheets(64, Order::Shuffled);
+    scene.size = [64, 48];
+    for vertex in &mut scene.meshes[0].vertices {
+        vertex.color.a = 0.3;
+    }
+    let mut renderer = Renderer::new(&context, 64, 48).unwrap();
+    for pp_dp in [false, true] {
+        let whole = ABufferOptions { pp_dp, ..options() };
+        let (exact, all) = render(&mut renderer, &scene, whole);
+        let (ended, some) = render(
+            &mut renderer,
+            &scene,
+            ABufferOptions {
+                termination: 0.02,
+                ..whole
+            },
+        );
+        let error = Comparison::new(&ended.image, &exact.image, 0.02).unwrap();
+        assert!(error.max > 1e-4 && error.over == 0, "{error:?}");
+        // 0.7^11 < 0.02: eleven of 64 are composited.
+        let pixels = 64 * 48;
+        assert_eq!(ended.stats.lost, Some(pixels * (64 - 11)));
+        assert_eq!(ended.stats.stopped_text(), "early ray termination");
+        if pp_dp {
+            assert_eq!((all.most_subpasses, some.most_subpasses), (8, 2));
+            assert_eq!(some.records_read * 4, all.records_read);
+        }
+    }
+}
+
+/// Figure 7: 64 screen-filling quads, alpha 0.05, random order in depth: ppAO reserves what the static array does, ppDP
+/// reads the lists eight times and needs an eighth of the array.
+#[test]
+fn l18_sixty_four_quads_cost_what_figure_7_says_they_must() {
+    let context = Context::headless().unwrap();
+    let mut scene = sheets(64, Order::Shuffled);
+    scene.size = [64, 48];
+    let mut renderer = Renderer::new(&context, 64, 48).unwrap();
+    let exact = renderer.render(&scene, &Method::Exact).unwrap();
+    let complexity = renderer.complexity(&scene, CountBy::Blending).unwrap();
+    let pixels = 64 * 48;
+    assert_eq!(complexity.histogram(1)[64].pixels, pixels);
+    let mut cost = |pp_ao, pp_dp| {
+        let (frame, counts) = render(
+            &mut renderer,
+            &scene,
+            ABufferOptions {
+                pp_ao,
+                pp_dp,
+                ..options()
+            },
+        );
+        let error = Comparison::new(&frame.image, &exact.image, F32).unwrap();
+        assert_eq!((error.over, frame.stats.lost), (0, Some(0)), "{error:?}");
+        [counts.slots_reserved, counts.records_read, counts.subpasses].map(|n| n / pixels)
+    };
+    assert_eq!(cost(false, false), [64, 64, 1]);
+    assert_eq!(cost(true, false), [64, 64, 1]);
+    assert_eq!(cost(false, true), [8, 8 * 64, 8]);
+    assert_eq!(cost(true, true), [64, 64, 1]);
+}
+
+/// Four pixels with so many fragments on so many levels.
+fn tied(count: usize, levels: usize) -> Stack {
+    Stack {
+        width: 4,
+        pixels: (0..4)
+            .map(|pixel| scattered(count, pixel * 31, levels))
+            .collect(),
+        opaque: None,
+    }
+}

@@ -1,0 +1,365 @@
+//! Everitt's Listing 2: as text, in f64 against his equations 1 to 4, and running; and depth peeling as he ran it in
+//! 2001, which leans on it.
+
+use glam::{DMat4, DVec3, DVec4};
+use onionskin::fragment::Rgba;
+use onionskin::gl::{CapturedFragment, ClassicState, Format, Geometry, GlMachine};
+use onionskin::image::Comparison;
+use onionskin::methods::{Compositing, DepthPeelingOptions, DepthUnit0, Frame};
+use onionskin::papers::everitt_2001::{LISTING_2, SHADOW_AS_DEPTH_TEST};
+use onionskin::scene::Camera;
+use onionskin::scene::generate::{Soup, soup};
+use onionskin::steps::{
+    Call, Capability, Machine, Map, Objects, Query, Shader, Target, Variables, diff, gl::*, print,
+    run,
+};
+use onionskin::{Context, Error, Method, Renderer, Result, Scene};
+
+use crate::kit::lists::Lists;
+
+const TRANSCRIPT: &str = include_str!("../transcripts/everitt_listing_2.txt");
+
+#[test]
+fn e08_listing_2_prints_as_the_paper_has_it() {
+    // But for the paper's `.5`, its declaration of m, and its comments.
+    let printed = print::listing(&LISTING_2, &[]);
+    assert_eq!(diff(TRANSCRIPT, &printed), "", "{printed}");
+}
+
+#[test]
+fn e08_a_changed_number_is_found_by_the_diff() {
+    let changed = TRANSCRIPT.replace("m(2,3) = 1", "m(2,3) = 0");
+    assert!(!diff(&changed, &print::listing(&LISTING_2, &[])).is_empty());
+}
+
+#[test]
+fn e08_the_dot_products_are_homogeneous_window_z_and_w() {
+    // R1 = zc/2 + wc/2 and R2 = wc, and their quotient is what a depth range from 0 to 1 makes of zc/wc.
+    for (camera, seed) in [(camera(0.5, 50.0), 1), (camera(0.01, 100.0), 2)] {
+        let (view, projection) = (camera.view(), camera.projection(4, 3));
+        let state = set_up(view, projection);
+        assert_eq!(state.depth_replace(), Some([1, 2]));
+        for world in points(seed, 1000) {
+            let eye = view * world.extend(1.0);
+            let clip = projection * eye;
+            let [r1, r2] = [1, 2].map(|unit| dot_product(&state, unit, eye));
+            close(r1, 0.5 * clip.z + 0.5 * clip.w);
+            close(r2, clip.w);
+            close(r1 / r2, 0.5 * (clip.z / clip.w) + 0.5);
+        }
+    }
+}
+
+#[test]
+fn e08_with_one_word_changed_it_is_something_else() {
+    let camera = camera(0.5, 50.0);
+    let (view, projection) = (camera.view(), camera.projection(4, 3));
+    let eye = view * points(3, 1)[0].extend(1.0);
+    let clip = projection * eye;
+    let dropped = |listing: &[onionskin::steps::Step], without: usize| {
+        let mut state = ClassicState::new(view, projection);
+        for (number, step) in listing.iter().enumerate() {
+            if let (true, onionskin::steps::Step::Call(Call::Classic(call))) =
+                (number != without, step)
+            {
+                state.perform(call).unwrap();
+            }
+        }
+        [1, 2].map(|unit| dot_product(&state, unit, eye))
+    };
+    let right = dropped(LISTING_2.steps, usize::MAX);
+    close(right[0] / right[1], 0.5 * (clip.z / clip.w) + 0.5);
+    // Without the translation, the scale, m, or either projection.
+    for step in [15, 16, 17, 31, 32] {
+        let wrong = dropped(LISTING_2.steps, step);
+        assert!(
+            (wrong[0] / wrong[1] - right[0] / right[1]).abs() > 1e-3,
+            "step {step}: {wrong:?}"
+        );
+    }
+}
+
+#[test]
+fn e06_equations_1_to_4_are_one_number_in_exact_arithmetic() {
+    // Two points of a segment in clip space, any place between them in window space.
+    let camera = camera(0.5, 50.0);
+    let state = set_up(camera.view(), camera.projection(4, 3));
+    let points = points(4, 400);
+    for (n, pair) in points.chunks_exact(2).enumerate() {
+        let eye = [0, 1].map(|i| camera.view() * pair[i].extend(1.0));
+        let [[r1, q1], [r2, q2]] = eye.map(|eye| [1, 2].map(|unit| dot_product(&state, unit, eye)));
+        let t = n as f64 / 200.0;
+        // (1): window z, linear in window space.
+        let window_z = r1 / q1 * (1.0 - t) + r2 / q2 * t;
+        // (2) and (3): r and q, linear in clip space, hyperbolic in window space.
+        let denominator = (1.0 - t) / q1 + t / q2;
+        let r = (r1 / q1 * (1.0 - t) + r2 / q2 * t) / denominator;
+        let q = (q1 / q1 * (1.0 - t) + q2 / q2 * t) / denominator;
+        // (4): the two sides of the comparison.
+        close(r / q, window_z);
+    }
+}
+
+#[test]
+fn e06_equations_1_to_4_are_not_one_number_in_32_bits() {
+    let camera = camera(0.5, 50.0);
+    let state = set_up(camera.view(), camera.projection(4, 3));
+    let mut differ = 0;
+    for (n, pair) in points(5, 2000).chunks_exact(2).enumerate() {
+        let eye = [0, 1].map(|i| camera.view() * pair[i].extend(1.0));
+        let corners = eye.map(|eye| [1, 2].map(|unit| dot_product(&state, unit, eye) as f32));
+        let [[r1, q1], [r2, q2]] = corners;
+        let t = n as f32 / 1000.0;
+        let window_z = r1 / q1 * (1.0 - t) + r2 / q2 * t;
+        let denominator = (1.0 / q1) * (1.0 - t) + (1.0 / q2) * t;
+        let r = (r1 / q1 * (1.0 - t) + r2 / q2 * t) / denominator;
+        let q = 1.0 / denominator;
+        differ += u32::from(r / q != window_z);
+        // Six roundings of 2^-24 each of numbers up to 1.
+        assert!((r / q - window_z).abs() <= 6.0 * 2.0_f32.powi(-24));
+    }
+    println!("{differ} of 1000 differ in the last bits");
+    assert!(differ > 100);
+}
+
+#[test]
+fn e08_listing_2_runs_and_stores_window_z() {
+    let context = Context::headless().unwrap();
+    let scene = soup_scene(21, [0.5, 50.0]);
+    let [replaced, window_z] = [true, false].map(|replace| nearest(&context, &scene, replace));
+    let mut same = 0;
+    let mut largest = 0.0_f32;
+    for (a, b) in replaced.iter().zip(&window_z) {
+        same += usize::from(a == b);
+        largest = largest.max((a - b).abs());
+    }
+    println!(
+        "{same} of {} pixels have the same bits, largest difference {largest:e}",
+        replaced.len()
+    );
+    // r and q up to 50 with a rounding of 2^-24 each at the corners and in interpolation; a dozen of them.
+    assert!(largest <= 12.0 * 2.0_f32.powi(-24), "{largest:e}");
+    assert!(
+        same < replaced.len(),
+        "the last bits are what the paper is about"
+    );
+}
+
+#[test]
+fn e04_peeling_as_in_2001_with_depth_replace_equals_the_exact_image() {
+    let context = Context::headless().unwrap();
+    for seed in 30..33 {
+        let scene = soup_scene(seed, [1.0, 20.0]);
+        let exact = render(&context, &scene, &Method::Exact);
+        let lists = Lists::of(&context, &scene);
+        for compositing in [Compositing::OnTheFly, Compositing::KeepLayers] {
+            let options = DepthPeelingOptions {
+                depth_unit_0: DepthUnit0::ClassicDepthReplace,
+                compositing,
+                maximum_number_of_peels: lists.complexity() as u32 + 2,
+                ..Default::default()
+            };
+            let frame = render(&context, &scene, &Method::DepthPeeling(options));
+            let wrong = wrong_pixels(&frame, &exact);
+            println!(
+                "seed {seed}, {compositing:?}: {} pixels wrong, {:?} lost",
+                wrong.len(),
+                frame.stats.lost
+            );
+            // Each of them is explained: r/q orders two fragments of nearly one depth in another way than window z, or
+            // ties them.
+            for &pixel in &wrong {
+                let list = &lists.pixels[pixel];
+                assert!(closest(list) <= 12.0 * 2.0_f32.powi(-24), "{list:?}");
+            }
+            assert!(wrong.len() < 10);
+        }
+    }
+}
+
+#[test]
+fn e06_peeling_as_in_2001_without_depth_replace_mis_peels() {
+    let context = Context::headless().unwrap();
+    let scene = soup_scene(30, [1.0, 20.0]);
+    let exact = render(&context, &scene, &Method::Exact);
+    let options = DepthPeelingOptions {
+        depth_unit_0: DepthUnit0::Classic,
+        maximum_number_of_peels: 40,
+        ..Default::default()
+    };
+    let frame = render(&context, &scene, &Method::DepthPeeling(options));
+    let wrong = wrong_pixels(&frame, &exact).len();
+    let covered = Lists::of(&context, &scene).samples(0);
+    println!(
+        "{wrong} of {covered} covered pixels mis-peeled, {:?}",
+        frame.stats.stopped
+    );
+    assert!(wrong as u64 > covered / 4);
+}
+
+#[test]
+fn e04_a_fragment_of_alpha_0_never_passes_the_alpha_test_and_nobody_misses_it() {
+    let context = Context::headless().unwrap();
+    let mut scene = soup_scene(31, [1.0, 20.0]);
+    for vertex in scene.meshes[0].vertices.iter_mut().take(300) {
+        vertex.color.a = 0.0;
+    }
+    let exact = render(&context, &scene, &Method::Exact);
+    let options = DepthPeelingOptions {
+        depth_unit_0: DepthUnit0::ClassicDepthReplace,
+        maximum_number_of_peels: 40,
+        ..Default::default()
+    };
+    let frame = render(&context, &scene, &Method::DepthPeeling(options));
+    assert!(wrong_pixels(&frame, &exact).len() < 10);
+    assert!(frame.stats.lost > Some(1000), "{:?}", frame.stats);
+}
+
+/// A sum or product of a few numbers up to 100, each rounded to 2^-53.
+fn close(found: f64, expected: f64) {
+    assert!(
+        (found - expected).abs() <= 1e-11 * expected.abs().max(1.0),
+        "{found} is not {expected}"
+    );
+}
+
+fn set_up(view: DMat4, projection: DMat4) -> ClassicState {
+    struct Alone(ClassicState);
+    impl Machine for Alone {
+        fn perform(&mut self, call: &Call) -> Result<()> {
+            match call {
+                Call::Classic(call) => self.0.perform(call),
+                _ => Err(Error::usage("not a classic call", "Listing 2 has no other")),
+            }
+        }
+        fn samples(&mut self, _: Query) -> Result<u64> {
+            Err(Error::usage("no query", "Listing 2 has none"))
+        }
+    }
+    let mut alone = Alone(ClassicState::new(view, projection));
+    run(&LISTING_2, &[], Variables::new(), &mut alone).unwrap();
+    alone.0
+}
+
+/// (S, T, R) of a stage with the unsigned HILO's (0, 0, 1), in f64.
+fn dot_product(state: &ClassicState, unit: usize, eye: DVec4) -> f64 {
+    let planes = state.units[unit].eye_planes;
+    let generated = DVec4::from_array(planes.map(|plane| plane.dot(eye)));
+    let coordinates = state.texture_matrix(unit) * generated;
+    coordinates.truncate().dot(DVec3::new(0.0, 0.0, 1.0))
+}
+
+fn camera(near: f64, far: f64) -> Camera {
+    Camera {
+        eye: DVec3::new(0.3, -0.2, 5.0),
+        target: DVec3::new(0.1, 0.0, 0.0),
+        up: DVec3::Y,
+        fov: 40.0,
+        near,
+        far,
+    }
+}
+
+/// In a cube of side 4 about the origin.
+fn points(seed: u64, count: usize) -> Vec<DVec3> {
+    let triangles = Soup {
+        seed,
+        count: count as u32,
+        extent: 2.0,
+        ..Soup::default()
+    };
+    let mesh = soup(&triangles).unwrap();
+    (0..count).map(|n| mesh.corners(n)[0].position).collect()
+}
+
+fn soup_scene(seed: u64, [near, far]: [f64; 2]) -> Scene {
+    let parameters = Soup {
+        seed,
+        count: 150,
+        triangle_size: [0.5, 1.5],
+        ..Soup::default()
+    };
+    let mut scene = Scene::of("soup", vec![soup(&parameters).unwrap()]);
+    scene.size = [128, 96];
+    let extent = scene.bounds().unwrap();
+    let size = (extent.max - extent.min).length();
+    scene.camera = Camera {
+        eye: DVec3::Z * (near + size * 0.75),
+        target: DVec3::ZERO,
+        up: DVec3::Y,
+        fov: 40.0,
+        near,
+        far,
+    };
+    scene
+}
+
+/// The nearest depths, by Listing 2 or by the rasteriser.
+fn nearest(context: &Context, scene: &Scene, replace: bool) -> Vec<f32> {
+    const DEPTH: Map = Map::named("depth");
+    const TARGET: Target = Target("nearest");
+    let mut machine = GlMachine::new(context, scene.size).unwrap();
+    machine.allocate(DEPTH, Format::Depth32F).unwrap();
+    machine.target(TARGET, None, Some(DEPTH)).unwrap();
+    machine.set_geometry(Geometry::upload(context, scene, scene.size).unwrap());
+    machine.begin_frame();
+    run(&LISTING_2, &[], Variables::new(), &mut machine).unwrap();
+    run(&SHADOW_AS_DEPTH_TEST, &[], Variables::new(), &mut machine).unwrap();
+    let program = if replace {
+        "classic/depth_replace"
+    } else {
+        "classic/fixed"
+    };
+    for call in [
+        Call::Enable {
+            cap: Capability::DepthTest,
+        },
+        Call::Clear {
+            mask: DEPTH_BUFFER_BIT,
+        },
+        Call::UseProgram {
+            program: Shader(program),
+        },
+        Call::Draw {
+            objects: Objects::Scene,
+        },
+    ] {
+        machine.perform(&call).unwrap();
+    }
+    machine.read_depths(DEPTH).unwrap()
+}
+
+fn render(context: &Context, scene: &Scene, method: &Method) -> Frame {
+    let [width, height] = scene.size;
+    let mut renderer = Renderer::new(context, width, height).unwrap();
+    renderer.render(scene, method).unwrap()
+}
+
+/// Pixels that are off by more than the f32 bound of every exact method.
+fn wrong_pixels(frame: &Frame, exact: &Frame) -> Vec<usize> {
+    const F32: f64 = 1e-5;
+    let all = Comparison::new(&frame.image, &exact.image, F32).unwrap();
+    let pairs = frame.image.pixels.iter().zip(&exact.image.pixels);
+    let off = |(a, b): (&Rgba, &Rgba)| {
+        let pairs = a.to_array().into_iter().zip(b.to_array());
+        pairs
+            .map(|(a, b)| f64::from((a - b).abs()))
+            .fold(0.0, f64::max)
+            > F32
+    };
+    let wrong: Vec<_> = pairs
+        .enumerate()
+        .filter(|(_, pair)| off(*pair))
+        .map(|(pixel, _)| pixel)
+        .collect();
+    assert_eq!(wrong.len(), all.over);
+    wrong
+}
+
+/// The smallest distance of neighbours in a list.
+fn closest(list: &[CapturedFragment]) -> f32 {
+    let pairs = list.windows(2);
+    pairs
+        .map(|pair| pair[1].depth - pair[0].depth)
+        .fold(f32::INFINITY, f32::min)
+}

@@ -1,0 +1,285 @@
+//! ppAO and ppDP twice on the same random stacks: the paper's pseudocode line by line on the emulator's lists, and the
+//! shaders on OpenGL. The same fragments, walks, records and Local Array elements, as printed and as amended.
+
+use crate::kit::stack;
+use std::cell::{Cell, RefCell};
+
+use onionskin::emulator::{ListRun, run_on_lists};
+use onionskin::fragment::Fragment;
+use onionskin::image::{Comparison, Image};
+use onionskin::methods::{ABufferOptions, Keep, Manager, RecordColor};
+use onionskin::papers::lindholm_2015::components::*;
+use onionskin::steps::Amendment;
+use onionskin::steps::pseudo::Algorithm;
+use onionskin::steps::pseudo::list::{Counter, Line, Mark};
+use onionskin::{Context, Method, Renderer};
+use proptest::test_runner::{TestCaseError, TestError};
+
+use crate::kit::a_buffer::{F32, MANAGERS};
+use crate::kit::masks::stencil;
+use crate::kit::stack::{Stack, fragments, runner, stacks};
+
+/// The same on both sides.
+struct Twins {
+    name: &'static str,
+    algorithm: Algorithm<Line>,
+    amendments: Vec<Amendment<Line>>,
+    options: ABufferOptions,
+}
+
+impl Twins {
+    fn array(&self) -> u32 {
+        match self.options.pp_dp && !self.options.pp_ao {
+            true => self.options.peel,
+            false => self.options.array,
+        }
+    }
+
+    /// A pixel's list as it lies in memory: linked lists are read from the last that came.
+    fn in_memory(&self, mut list: Vec<Fragment>) -> Vec<Fragment> {
+        if self.options.manager == Manager::Ppll {
+            list.reverse();
+        }
+        list
+    }
+}
+
+/// As printed the order in memory decides between equal depths, which in the shader always is that of submission.
+const CONTIGUOUS: [Manager; 2] = [Manager::Ffb, Manager::Dfb];
+
+fn twins() -> Vec<Twins> {
+    let mut all = Vec::new();
+    let mut add = |name, algorithm, amendments: &[_], options| {
+        all.push(Twins {
+            name,
+            algorithm,
+            amendments: amendments.to_vec(),
+            options: ABufferOptions {
+                color: RecordColor::Float,
+                ..options
+            },
+        });
+    };
+    for manager in MANAGERS {
+        let options = ABufferOptions {
+            manager,
+            array: 8,
+            ..ABufferOptions::DEFAULT
+        };
+        for peel in [1, 3, 8] {
+            let options = ABufferOptions {
+                pp_dp: true,
+                peel,
+                ..options
+            };
+            add("ppDP", PP_DP, &PP_DP_AMENDMENTS, options);
+            if CONTIGUOUS.contains(&manager) {
+                let as_printed = ABufferOptions {
+                    as_printed: true,
+                    ..options
+                };
+                add("ppDP as printed", PP_DP, &[STOP], as_printed);
+            }
+        }
+        let nearest = |options| ABufferOptions {
+            keep: Keep::Nearest,
+            ..options
+        };
+        for array in [1, 4, 8] {
+            let options = ABufferOptions { array, ..options };
+            add("static", STATIC_ARRAY, &[], options);
+            let nearest = nearest(options);
+            add("static, nearest", STATIC_ARRAY, &[KEEP_NEAREST], nearest);
+        }
+        let pp_ao = ABufferOptions {
+            pp_ao: true,
+            ..options
+        };
+        add("ppAO", PP_AO, &[PP_AO_WITHOUT_PP_DP], pp_ao);
+        let nearest = nearest(pp_ao);
+        add("ppAO, nearest", PP_AO, &[PP_AO_KEEPING_NEAREST], nearest);
+        let both = ABufferOptions {
+            pp_dp: true,
+            ..pp_ao
+        };
+        add("ppAO + ppDP", PP_AO, &[PP_AO_AMENDMENT], both);
+        let as_printed = ABufferOptions {
+            as_printed: true,
+            ..pp_ao
+        };
+        let invert = stencil(Counter::Stencil, Mark::Invert);
+        add("ppAO as printed", PP_AO, &invert, as_printed);
+    }
+    all
+}
+
+/// What the Fill Step leaves of a stack's pixels: what lies before the opaque surface.
+fn lists(stack: &Stack) -> Vec<Vec<Fragment>> {
+    let opaque = stack.opaque.map_or(f32::INFINITY, f32::from);
+    let list = |pieces: &Vec<_>| {
+        let mut list = fragments(pieces);
+        list.retain(|fragment| fragment.depth < opaque);
+        list.iter_mut().for_each(|fragment| fragment.depth += 1.0);
+        list
+    };
+    stack.pixels.iter().map(list).collect()
+}
+
+/// The image of the fragments that the emulator has composited, front to back, over what lies behind them.
+fn image(stack: &Stack, run: &ListRun) -> Image {
+    let behind = Stack {
+        pixels: vec![Vec::new(); stack.pixels.len()],
+        ..stack.clone()
+    };
+    let mut image = behind.expected();
+    for ((pixel, pieces), seen) in image.pixels.iter_mut().zip(&stack.pixels).zip(&run.pixels) {
+        let mut sum = [0.0; 3];
+        let mut transparency = 1.0;
+        for &order in &seen.composited {
+            let [r, g, b, a] = pieces[order as usize].color.map(f64::from);
+            for (sum, channel) in sum.iter_mut().zip([r, g, b]) {
+                *sum += transparency * a * channel;
+            }
+            transparency *= 1.0 - a;
+        }
+        let [r, g, b, _] = pixel
+            .to_array()
+            .map(|channel| f64::from(channel) * transparency);
+        *pixel = [sum[0] + r, sum[1] + g, sum[2] + b, 1.0]
+            .map(|channel| channel as f32)
+            .into();
+    }
+    image
+}
+
+/// Says where they part, if they do; otherwise how many fragments were lost.
+fn difference(renderer: &mut Renderer<'_>, twins: &Twins, stack: &Stack) -> Result<u64, String> {
+    let lists = lists(stack);
+    let in_memory: Vec<_> = lists
+        .iter()
+        .map(|list| twins.in_memory(list.clone()))
+        .collect();
+    let run = run_on_lists(
+        &twins.algorithm,
+        &twins.amendments,
+        &in_memory,
+        twins.array(),
+        100,
+    )
+    .map_err(|error| error.to_string())?;
+    let frame = renderer
+        .render(&stack.scene(), &Method::ABuffer(twins.options))
+        .map_err(|error| error.to_string())?;
+    let counts = frame.stats.a_buffer.ok_or("an A-buffer counts")?;
+    // Pixels without a fragment are not drawn.
+    let drawn = || {
+        run.pixels
+            .iter()
+            .zip(&lists)
+            .filter(|(_, list)| !list.is_empty())
+    };
+    let sum = |part: fn(&onionskin::emulator::Resolved) -> u32| {
+        drawn()
+            .map(|(pixel, _)| u64::from(part(pixel)))
+            .sum::<u64>()
+    };
+    let composited = sum(|pixel| pixel.composited.len() as u32);
+    let lost = lists.iter().map(Vec::len).sum::<usize>() as u64 - composited;
+    let emulated = [
+        ("lost", lost),
+        ("subpasses", sum(|pixel| pixel.subpasses)),
+        ("records read", sum(|pixel| pixel.records_read)),
+        ("slots reserved", sum(|pixel| pixel.slots[0])),
+        ("slots used", sum(|pixel| pixel.slots[1])),
+    ];
+    let on_gl = [
+        frame.stats.lost.ok_or("lost fragments are counted")?,
+        counts.subpasses,
+        counts.records_read,
+        counts.slots_reserved,
+        counts.slots_used,
+    ];
+    for ((what, emulated), on_gl) in emulated.into_iter().zip(on_gl) {
+        if emulated != on_gl {
+            return Err(format!("{what}: {emulated} emulated, {on_gl} on OpenGL"));
+        }
+    }
+    let error = Comparison::new(&frame.image, &image(stack, &run), F32)
+        .map_err(|error| error.to_string())?;
+    match error.over {
+        0 => Ok(lost),
+        _ => Err(format!("the images differ: {error:?}")),
+    }
+}
+
+/// Ties are many on 4 levels.
+#[test]
+fn the_pseudocode_and_the_shaders_resolve_the_same_fragments() {
+    let context = Context::headless().expect("a context");
+    let renderer = RefCell::new(Renderer::new(&context, 3, 2).expect("a renderer"));
+    for twins in twins() {
+        let Twins { name, options, .. } = &twins;
+        let lost = Cell::new(0);
+        for levels in [4, 1000] {
+            let checked = runner(40).run(&stacks(levels, false), |stack| {
+                difference(&mut renderer.borrow_mut(), &twins, &stack)
+                    .map(|more| lost.set(lost.get() + more))
+                    .map_err(TestCaseError::fail)
+            });
+            if let Err(TestError::Fail(why, stack)) = checked {
+                panic!("{name}, {options:?}: {why}\n{stack:?}");
+            }
+        }
+        println!(
+            "{name}, {:?}, {}: {} lost",
+            options.manager,
+            twins.array(),
+            lost.get()
+        );
+        let loses = options.as_printed || !options.pp_dp;
+        assert_eq!(lost.get() > 0, loses, "{name}");
+    }
+}
+
+/// Amended otherwise, each twin's pseudocode parts from its shader on ten fragments with ties where each array ends.
+#[test]
+fn an_algorithm_that_differs_would_be_noticed() {
+    let context = Context::headless().expect("a context");
+    let mut renderer = Renderer::new(&context, 3, 2).expect("a renderer");
+    let pieces = |pixel: usize| {
+        let piece = |number: usize| stack::Piece {
+            level: [7, 3, 3, 9, 3, 1, 7, 3, 2, 7][number],
+            color: [0.1 * number as f32, 0.15 * pixel as f32, 0.5, 0.4],
+        };
+        (0..10).map(piece).collect()
+    };
+    let stack = Stack {
+        width: 3,
+        pixels: (0..6).map(pieces).collect(),
+        opaque: None,
+    };
+    for mut twins in twins() {
+        assert!(
+            difference(&mut renderer, &twins, &stack).is_ok(),
+            "{}",
+            twins.name
+        );
+        // ppAO's stencil and its text mean the same where there is one segment; its amendment does not.
+        let ABufferOptions {
+            pp_ao,
+            pp_dp,
+            keep,
+            as_printed,
+            ..
+        } = twins.options;
+        twins.amendments = match keep {
+            Keep::First if as_printed && pp_ao => vec![PP_AO_WITHOUT_PP_DP],
+            // What the array keeps is then not what the shader keeps.
+            Keep::First if !pp_ao && !pp_dp => vec![KEEP_NEAREST],
+            Keep::Nearest if pp_ao => vec![PP_AO_WITHOUT_PP_DP],
+            _ => Vec::new(),
+        };
+        let other = difference(&mut renderer, &twins, &stack);
+        assert!(other.is_err(), "{}", twins.name);
+    }
+}

@@ -1,0 +1,41 @@
+//! Everything that OpenGL draws, held against what shares no code with it.
+
+#[path = "../kit/mod.rs"]
+mod kit;
+
+mod a_buffer;
+mod a_buffer_bands;
+mod a_buffer_kept;
+mod accumulation;
+mod camera_path;
+mod claims_carr;
+mod claims_carr_options;
+mod claims_everitt;
+mod claims_everitt_compositing;
+mod claims_everitt_depth_units;
+mod claims_lindholm;
+mod claims_lindholm_resolve;
+mod claims_vtk;
+mod claims_vtk_layers;
+mod claims_vtk_requirements;
+mod classic_fixed_function;
+mod classic_listing_2;
+mod coplanar;
+mod cross_section;
+mod dual_peeling;
+mod exact;
+mod exact_depth;
+mod exact_measures;
+mod figure_2;
+mod four_scenes;
+mod fused;
+mod fused_as_printed;
+mod fused_lockstep;
+mod invariance;
+mod lists_lockstep;
+mod lockstep;
+mod machine;
+mod peeling;
+mod peeling_changed;
+mod slices;
+mod volumes;

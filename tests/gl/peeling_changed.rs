@@ -1,0 +1,117 @@
+//! Depth peeling when a word of the listing is changed.
+
+use onionskin::image::Comparison;
+use onionskin::methods::DepthPeelingOptions;
+use onionskin::steps::{Amendment, Map, Step};
+use onionskin::{Context, Scene, steps};
+
+use crate::kit::changed::changed;
+
+use crate::kit::peeling::{F32, peel};
+
+use crate::kit::stack::{Piece, Stack};
+
+#[test]
+fn a_listing_with_one_changed_word_gives_another_image() {
+    let context = Context::headless().unwrap();
+    let (_, stack) = exemplary();
+    let expected = stack.expected();
+    let off = |amendments: &'static [Amendment], as_printed| {
+        let options = DepthPeelingOptions {
+            maximum_number_of_peels: 12,
+            as_printed,
+            amendments,
+            ..Default::default()
+        };
+        Comparison::new(
+            &peel(&context, &stack.scene(), options).image,
+            &expected,
+            F32,
+        )
+        .unwrap()
+        .over
+    };
+    assert_eq!(off(&[], false), 0);
+    for (name, change) in CHANGES {
+        assert!(off(change, false) > 0, "{name} was not noticed");
+    }
+    // As printed, a layer's pixels are not told from background by their depth, so the colours must be clear.
+    const COLOR: &[Amendment] = &[changed(steps! { clear color buffer; }, steps! {})];
+    assert!(
+        off(COLOR, true) > 0,
+        "a dropped colour clear was not noticed"
+    );
+}
+
+#[test]
+fn swapping_a_and_b_throughout_changes_names_only() {
+    // 'A and B swapped' in both places where they are set, or in both where they are used, makes the same program.
+    const SET: &[Amendment] = &[changed(
+        steps! { A = i % 2; B = (i + 1) % 2; },
+        steps! { A = (i + 1) % 2; B = i % 2; },
+    )];
+    let context = Context::headless().unwrap();
+    let (_, stack) = exemplary();
+    let options = DepthPeelingOptions {
+        amendments: SET,
+        ..Default::default()
+    };
+    let frame = peel(&context, &stack.scene(), options);
+    assert_eq!(
+        Comparison::new(&frame.image, &stack.expected(), F32)
+            .unwrap()
+            .over,
+        0
+    );
+}
+
+/// One changed word each.
+const CHANGES: &[(&str, &[Amendment])] = &[
+    (
+        "GREATER to LESS",
+        &[changed(
+            steps! { set depth func to GREATER; },
+            steps! { set depth func to LESS; },
+        )],
+    ),
+    (
+        "LESS to GREATER",
+        &[changed(
+            steps! { set depth func to LESS; },
+            steps! { set depth func to GREATER; },
+        )],
+    ),
+    (
+        "A for B in unit 1",
+        &[changed(steps! { B = (i + 1) % 2; }, steps! { B = i % 2; })],
+    ),
+    (
+        "the depth buffer not started anew",
+        &[changed(FROM_OPAQUE, steps! {})],
+    ),
+    (
+        "depth writes left disabled",
+        &[changed(
+            steps! { enable depth writes; },
+            steps! { disable depth writes; },
+        )],
+    ),
+];
+
+const FROM_OPAQUE: &[Step] =
+    steps! { glCopyImageSubData(Map::named("opaque depth"), Map::at("depth buffer", "B")); };
+
+/// Five layers in no particular order, and the scene.
+fn exemplary() -> (Scene, Stack) {
+    let levels = [700, 100, 900, 300, 500];
+    let piece = |level: u16| Piece {
+        level,
+        color: [f32::from(level) / 1000.0, 0.5, 0.25, 0.5],
+    };
+    let stack = Stack {
+        width: 3,
+        pixels: vec![levels.map(piece).to_vec(); 6],
+        opaque: None,
+    };
+    (stack.scene(), stack)
+}

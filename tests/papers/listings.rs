@@ -1,0 +1,314 @@
+//! The listings as data: printed like the paper's, unrolled into calls, lowered to one depth unit. No GL.
+
+use onionskin::papers::{everitt_2001, papers, vtk};
+use onionskin::steps::{
+    Amendment, Call, Compare, DepthUnits, Machine, Map, Objects, Query, Reason, Recorder,
+    Variables, diff, free_variables, gl::*, print, run,
+};
+use onionskin::{Error, steps};
+
+use crate::kit::changed::changed;
+
+use crate::kit::golden::assert_golden;
+
+const TRANSCRIPT: &str = include_str!("../transcripts/everitt_listing_1.txt");
+
+#[test]
+fn e03_listing_1_prints_as_the_paper_has_it() {
+    let printed = print::listing(&everitt_2001::LISTING_1, &[]);
+    assert_eq!(diff(TRANSCRIPT, &printed), "", "{printed}");
+}
+
+#[test]
+fn a_changed_word_is_found_by_the_diff() {
+    const WORD: Amendment = changed(
+        steps! { set depth func to GREATER; },
+        steps! { set depth func to GEQUAL; },
+    );
+    let found = diff(
+        TRANSCRIPT,
+        &print::listing(&everitt_2001::LISTING_1, &[WORD]),
+    );
+    assert!(found.contains("-set depth func to GREATER\n"), "{found}");
+    assert!(found.contains("+set depth func to GEQUAL\n"), "{found}");
+}
+
+#[test]
+fn e03_two_rounds_of_listing_1_unroll_with_their_buffers() {
+    let mut recorder = Recorder::new();
+    run(
+        &everitt_2001::LISTING_1,
+        &[],
+        Variables::new().with("num_passes", 2.0),
+        &mut recorder,
+    )
+    .unwrap();
+    assert_golden("everitt_listing_1_two_rounds.txt", &recorder.trace());
+}
+
+#[test]
+fn e03_unit_0_becomes_a_shadow_lookup_and_unit_1_the_ordinary_depth_test() {
+    let mut recorder = Recorder::new();
+    let variables = Variables::new().with("num_passes", 2.0);
+    run(
+        &everitt_2001::LISTING_1,
+        &[],
+        variables,
+        &mut DepthUnits::new(&mut recorder),
+    )
+    .unwrap();
+    assert_golden(
+        "everitt_listing_1_two_rounds_lowered.txt",
+        &recorder.trace(),
+    );
+}
+
+#[test]
+fn depth_unit_0_cannot_write() {
+    let mut recorder = Recorder::new();
+    let mut units = DepthUnits::new(&mut recorder);
+    units.perform(&Call::ActiveDepthUnit { unit: 0 }).unwrap();
+    let error = units
+        .perform(&Call::DepthMask { flag: true })
+        .unwrap_err()
+        .to_string();
+    assert!(
+        error.contains("depth unit 0 cannot perform glDepthMask(flag = GL_TRUE)"),
+        "{error}"
+    );
+    assert!(
+        units
+            .perform(&Call::Clear {
+                mask: DEPTH_BUFFER_BIT
+            })
+            .is_err()
+    );
+    assert!(units.perform(&Call::ActiveDepthUnit { unit: 2 }).is_err());
+}
+
+#[test]
+fn the_loop_stops_at_the_first_empty_peel() {
+    let (outcome, calls) = peel([5, 3, 0], [4, 2], f64::INFINITY, 0.0);
+    assert_eq!(outcome, (Some(Reason::EmptyLayer), 2.0, 3.0));
+    let draws = calls
+        .iter()
+        .filter(|call| {
+            matches!(
+                call,
+                Call::Draw {
+                    objects: Objects::Transparent
+                }
+            )
+        })
+        .count();
+    assert_eq!(draws, 3);
+}
+
+#[test]
+fn the_loop_stops_at_the_limit_without_an_empty_peel() {
+    let (outcome, _) = peel([5, 3], [4, 2], 2.0, 0.0);
+    assert_eq!(outcome, (None, 2.0, 2.0));
+}
+
+#[test]
+fn the_loop_stops_after_the_peel_that_changed_fewer_pixels_than_the_ratio() {
+    // 100 pixels: 10% are 10, and 9 are fewer.
+    let (outcome, _) = peel([50, 30, 20], [40, 10, 9], f64::INFINITY, 0.1);
+    assert_eq!(outcome, (Some(Reason::OcclusionRatio), 3.0, 3.0));
+}
+
+#[test]
+fn a_variable_that_was_never_set_is_an_error_that_names_it() {
+    let mut recorder = Recorder::new();
+    let error = run(
+        &everitt_2001::LISTING_1,
+        &[],
+        Variables::new(),
+        &mut recorder,
+    )
+    .unwrap_err();
+    assert!(matches!(error, Error::Usage { .. }));
+    assert!(error.to_string().contains("num_passes"), "{error}");
+}
+
+#[test]
+fn every_amendment_finds_what_it_replaces_exactly_once() {
+    let listing_1 = [
+        vtk::NO_CLEAR,
+        vtk::CULL_BY_OPAQUE,
+        vtk::QUERY,
+        vtk::KEEP_DEPTH,
+        vtk::UNDER,
+    ];
+    let composite = [
+        everitt_2001::ALPHA,
+        vtk::ONLY_THE_LAYER,
+        vtk::COUNT_THE_LAYER,
+    ];
+    for amendment in listing_1 {
+        assert_eq!(
+            amendment.occurrences(everitt_2001::LISTING_1.steps),
+            1,
+            "{}",
+            amendment.place
+        );
+    }
+    for amendment in composite {
+        assert_eq!(
+            amendment.occurrences(everitt_2001::COMPOSITE.steps),
+            1,
+            "{}",
+            amendment.place
+        );
+    }
+}
+
+#[test]
+fn every_amendment_names_a_test_that_exists() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests");
+    let tests: String = std::fs::read_dir(folder)
+        .unwrap()
+        .filter_map(|entry| std::fs::read_to_string(entry.unwrap().path()).ok())
+        .collect();
+    let mut amendments = Vec::new();
+    for (_, listing, beside) in papers().iter().flat_map(|paper| paper.listings) {
+        amendments.extend_from_slice(beside);
+        in_force(listing.steps, &mut amendments);
+    }
+    for (_, _, beside) in papers().iter().flat_map(|paper| paper.algorithms) {
+        for amendment in *beside {
+            let test = amendment.test;
+            assert!(tests.contains(&format!("fn {test}()")), "{test}");
+        }
+    }
+    assert!(amendments.contains(&vtk::UNDER) && amendments.contains(&vtk::COUNT_THE_LAYER));
+    for amendment in amendments {
+        assert!(
+            tests.contains(&format!("fn {}()", amendment.test)),
+            "{}",
+            amendment.test
+        );
+    }
+}
+
+/// The amendments with which `steps` run other listings.
+fn in_force(steps: &[steps::Step], found: &mut Vec<Amendment>) {
+    for step in steps {
+        if let steps::Step::Run {
+            listing,
+            amendments,
+        } = step
+        {
+            found.extend_from_slice(amendments);
+            in_force(listing.steps, found);
+        }
+    }
+}
+
+#[test]
+fn an_outer_amendment_reaches_into_the_listings_that_are_run() {
+    const DROPPED: Amendment = changed(steps! { clear color buffer; }, steps! {});
+    let mut recorder = Recorder::new().answering_every_query(1);
+    let variables = Variables::new()
+        .with("num_passes", 1.0)
+        .with("occlusion_ratio", 0.0)
+        .with("window_area", 1.0);
+    run(
+        &vtk::ON_THE_FLY,
+        &[DROPPED],
+        variables,
+        &mut DepthUnits::new(&mut recorder),
+    )
+    .unwrap();
+    let clears = recorder
+        .calls
+        .iter()
+        .filter(|call| {
+            **call
+                == Call::Clear {
+                    mask: COLOR_BUFFER_BIT,
+                }
+        })
+        .count();
+    // Without the amendment it would be one: the accumulation's.
+    assert_eq!(clears, 0);
+}
+
+#[test]
+fn a_call_prints_with_its_arguments_named() {
+    let call = Call::DepthFunc {
+        func: Compare::Less,
+    };
+    assert_eq!(call.to_string(), "glDepthFunc(func = GL_LESS)");
+    let copy = Call::CopyImage {
+        from: Map::named("color buffer"),
+        to: Map::numbered("layer", 3),
+    };
+    let swap = Call::Swap {
+        a: Map::named("zPeel"),
+        b: Map::named("zPeelNext"),
+    };
+    assert_eq!(swap.to_string(), "swap(a = zPeel, b = zPeelNext)");
+    assert_eq!(
+        copy.to_string(),
+        "glCopyImageSubData(src = color buffer, dst = layer 3)"
+    );
+}
+
+/// Runs the on-the-fly peeling over 100 pixels with queries that answer as told: why it stopped, layers, peels.
+fn peel(
+    peeled: impl IntoIterator<Item = u64>,
+    pixels: impl IntoIterator<Item = u64>,
+    limit: f64,
+    ratio: f64,
+) -> ((Option<Reason>, f64, f64), Vec<Call>) {
+    let mut recorder = Recorder::new()
+        .answering(Query("peeled"), peeled)
+        .answering(Query("pixels"), pixels);
+    let variables = Variables::new()
+        .with("num_passes", limit)
+        .with("occlusion_ratio", ratio)
+        .with("window_area", 100.0);
+    let outcome = run(
+        &vtk::ON_THE_FLY,
+        &[],
+        variables,
+        &mut DepthUnits::new(&mut recorder),
+    )
+    .unwrap();
+    let number = |name| outcome.variables.get(name).unwrap();
+    (
+        (outcome.stopped, number("num_layers"), number("peels")),
+        recorder.calls,
+    )
+}
+
+/// Given what is free, every listing of every paper runs, as printed and as amended; so nothing is missing that is read.
+#[test]
+fn with_its_free_variables_every_listing_runs() {
+    let mut several = 0;
+    for paper in papers() {
+        for (key, listing, amendments) in paper.listings {
+            for amendments in [&[][..], amendments] {
+                let free = free_variables(listing, amendments);
+                several += free.len();
+                let given = Variables::new();
+                let given = free.iter().fold(given, |all, name| all.with(name, 2.0));
+                let mut recorder = Recorder::new().answering_every_query(1);
+                run(listing, amendments, given, &mut recorder)
+                    .unwrap_or_else(|error| panic!("{}/{key}: {error}", paper.key));
+            }
+        }
+    }
+    assert!(several > 5, "some have free variables: {several}");
+}
+
+#[test]
+fn without_a_free_variable_that_it_reads_a_listing_does_not_run() {
+    let paper = papers().iter().find(|paper| paper.key == "everitt");
+    let listings = paper.expect("the paper").listings;
+    let (_, listing, _) = listings.iter().find(|l| l.0 == "listing-1").expect("it");
+    assert_eq!(free_variables(listing, &[]), ["num_passes"]);
+    let mut recorder = Recorder::new().answering_every_query(1);
+    assert!(run(listing, &[], Variables::new(), &mut recorder).is_err());
+}
