@@ -9,7 +9,6 @@ use onionskin::{Context, Method, Renderer, Scene};
 use proptest::test_runner::{TestCaseError, TestError};
 
 use crate::kit::a_buffer::*;
-
 use crate::kit::stack::{Stack, row, runner, scattered, stacks};
 
 /// static, ppAO, ppDP, both.

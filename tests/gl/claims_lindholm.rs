@@ -6,7 +6,6 @@ use onionskin::scene::generate::{Order, TorusKnot, torus_knot};
 use onionskin::{Context, Renderer, Scene};
 
 use crate::kit::a_buffer::*;
-
 use crate::kit::stack::row;
 
 #[test]

@@ -7,9 +7,7 @@ use onionskin::scene::generate::Order;
 use onionskin::{Context, Method, Renderer};
 
 use crate::kit::a_buffer::*;
-
 use crate::kit::pp_dp::{Rule, peel};
-
 use crate::kit::stack::{Stack, row, scattered};
 
 #[test]

@@ -2,7 +2,6 @@
 //! in `gl/claims_vtk_layers.rs`, V07 and V09 in `gl/claims_vtk_requirements.rs`, V08 in `gl/classic_fixed_function.rs`.
 
 use crate::kit::changed::changed;
-
 use crate::kit::stack::Stack;
 use crate::kit::vtk_scenes::{
     BOTH, limited, nearest, over, peel, piece, render, soup_scene, staircase,

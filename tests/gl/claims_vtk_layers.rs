@@ -2,7 +2,6 @@
 //! (V03 to V06), each claim under its key.
 
 use crate::kit::changed::changed;
-
 use crate::kit::stack::Stack;
 use crate::kit::vtk_scenes::{BOTH, limited, nearest, over, peel, render, soup_scene, staircase};
 use onionskin::image::Comparison;

@@ -10,7 +10,6 @@ use onionskin::{Context, Method, Renderer, Scene, steps};
 use proptest::test_runner::{TestCaseError, TestError};
 
 use crate::kit::changed::changed;
-
 use crate::kit::stack::{Piece, Stack, fragments, runner, stacks};
 
 /// f32 colours composited in at most 64 roundings of 2^-24 each, and the oracle's own rounding to f32: 4e-6. The issue

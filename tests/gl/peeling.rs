@@ -9,7 +9,6 @@ use onionskin::{Context, Method, Renderer, Scene};
 use proptest::test_runner::{TestCaseError, TestError};
 
 use crate::kit::peeling::{F32, peel};
-
 use crate::kit::stack::{Piece, Stack, fragments, runner, stacks};
 
 const BOTH: [Compositing; 2] = [Compositing::OnTheFly, Compositing::KeepLayers];

@@ -6,9 +6,7 @@ use onionskin::steps::{Amendment, Map, Step};
 use onionskin::{Context, Scene, steps};
 
 use crate::kit::changed::changed;
-
 use crate::kit::peeling::{F32, peel};
-
 use crate::kit::stack::{Piece, Stack};
 
 #[test]

@@ -8,7 +8,6 @@ use onionskin::steps;
 use onionskin::steps::{Amendment, DepthUnits, Format, Reason, Variables, Workspace, gl::*, run};
 
 use crate::kit::changed::changed;
-
 use crate::kit::peels::{IMAGE, Pixel, bad, before, pixel};
 
 const LEVELS: usize = 4;

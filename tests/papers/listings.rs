@@ -1,5 +1,7 @@
 //! The listings as data: printed like the paper's, unrolled into calls, lowered to one depth unit. No GL.
 
+use std::path::Path;
+
 use onionskin::papers::{everitt_2001, papers, vtk};
 use onionskin::steps::{
     Amendment, Call, Compare, DepthUnits, Machine, Map, Objects, Query, Reason, Recorder,
@@ -8,7 +10,6 @@ use onionskin::steps::{
 use onionskin::{Error, steps};
 
 use crate::kit::changed::changed;
-
 use crate::kit::golden::assert_golden;
 
 const TRANSCRIPT: &str = include_str!("../transcripts/everitt_listing_1.txt");
@@ -165,9 +166,11 @@ fn every_amendment_finds_what_it_replaces_exactly_once() {
 
 #[test]
 fn every_amendment_names_a_test_that_exists() {
-    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests");
-    let tests: String = std::fs::read_dir(folder)
-        .unwrap()
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests");
+    let folders = std::fs::read_dir(folder).unwrap();
+    let folders = folders.filter_map(|entry| std::fs::read_dir(entry.unwrap().path()).ok());
+    let tests: String = folders
+        .flatten()
         .filter_map(|entry| std::fs::read_to_string(entry.unwrap().path()).ok())
         .collect();
     let mut amendments = Vec::new();

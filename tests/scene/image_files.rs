@@ -327,7 +327,7 @@ proptest! {
 #[test]
 fn a_data_window_far_larger_than_the_picture_is_refused_by_the_header() {
     // 558 bytes that fuzzing found: a picture of 4 x 3 pixels whose data window is 67108868 x 3.
-    let wide = include_bytes!("fuzz_findings/exr/wide");
+    let wide = include_bytes!("../fuzz_findings/exr/wide");
     let folder = Folder::new();
     let words = refused(folder.with("wide.exr", wide));
     assert!(
