@@ -7,6 +7,7 @@ mod check;
 mod compare;
 mod complexity;
 mod doctor;
+mod driver_report;
 mod encoding;
 mod frame_folder;
 mod frame_row;

@@ -1,13 +1,16 @@
 //! Trying a way to OpenGL in a process of its own, where that may crash or hang: drivers that an environment variable has
 //! chosen, and drivers without memory, do both.
 
+use std::io::Read;
 use std::process::{Child, Command, ExitCode, ExitStatus, Stdio};
 use std::time::{Duration, Instant};
 
-use clap::Args;
+use clap::{Args, ValueEnum};
 use onionskin::error::Attempt;
 use onionskin::gl::{Backend, ContextOptions, GlMachine, suspect_variables};
 use onionskin::{Context, Error, Result};
+
+use super::driver_report::{Form, Report};
 
 /// What the child is called with.
 const NAME: &str = "probe";
@@ -19,11 +22,19 @@ const PATIENCE: Duration = Duration::from_secs(30);
 #[derive(Args)]
 pub(super) struct Probe {
     backend: String,
+    /// Say what the doctor says of it, as text or as JSON
+    #[arg(long)]
+    report: Option<Form>,
 }
 
 impl Probe {
     pub(super) fn run(self) -> Result<ExitCode> {
-        let context = Context::new(of(self.backend.parse()?))?;
+        let backend = self.backend.parse()?;
+        let context = Context::new(of(backend))?;
+        if let Some(form) = self.report {
+            Report::of(backend, &context)?.print(form)?;
+            return Ok(ExitCode::SUCCESS);
+        }
         // Drivers without memory make contexts, and hang when they compile a shader.
         GlMachine::new(&context, [64, 64])?.traps()?;
         Ok(ExitCode::SUCCESS)
@@ -59,13 +70,33 @@ pub(super) fn context(backend: Option<Backend>) -> Result<Context> {
 
 /// A context by one way, which is tried in a child first.
 pub(super) fn tried(way: Backend) -> Result<Context> {
-    if let Some(answer) = crash(way) {
-        let what = format!("{way}, in a process of its own");
-        let mut tried = vec![Attempt { what, answer }];
-        tried.extend(suspect_variables());
-        return Err(Error::NoContext { tried });
+    match child(way, None) {
+        Some(Ended::Badly(answer)) => Err(crashed(way, answer)),
+        _ => Context::new(of(way)),
     }
-    Context::new(of(way))
+}
+
+/// What the doctor says of one way, made in a child: the driver may hang even where the way was found good before, since
+/// every context takes more of a memory that is limited.
+pub(super) fn report(way: Backend, form: Form) -> Result<String> {
+    match child(way, Some(form)) {
+        Some(Ended::Well(report)) => Ok(report),
+        Some(Ended::Badly(answer)) => Err(crashed(way, answer)),
+        _ => {
+            // The child has refused with words. They are had here.
+            let context = Context::new(of(way))?;
+            GlMachine::new(&context, [64, 64])?.traps()?;
+            let answer = "it works, but not in a process of its own".to_owned();
+            Err(crashed(way, answer))
+        }
+    }
+}
+
+fn crashed(way: Backend, answer: String) -> Error {
+    let what = format!("{way}, in a process of its own");
+    let mut tried = vec![Attempt { what, answer }];
+    tried.extend(suspect_variables());
+    Error::NoContext { tried }
 }
 
 fn of(way: Backend) -> ContextOptions {
@@ -98,30 +129,52 @@ fn limit() -> &'static str {
     }
 }
 
-/// How a child came to its end that made a context, if it was not by itself. Nothing, too, if no child could be made.
-fn crash(way: Backend) -> Option<String> {
-    let child = Command::new(std::env::current_exe().ok()?)
-        .args([NAME, &way.to_string()])
-        .stdin(Stdio::null())
-        .stdout(Stdio::null())
-        .stderr(Stdio::null())
-        .spawn();
-    let Some(status) = wait(child.ok()?) else {
-        return Some(format!(
-            "making a context and drawing takes longer than {} seconds{}",
-            PATIENCE.as_secs(),
-            limit()
-        ));
-    };
-    let signal = signal(status)?;
-    Some(format!(
-        "making a context crashes (signal {signal}){}",
-        limit()
-    ))
+/// How a child ended that made a context.
+enum Ended {
+    /// With an image, and what it has printed.
+    Well(String),
+    /// With an error.
+    Refused,
+    /// By a crash, or by us.
+    Badly(String),
 }
 
-/// Nothing if it does not end; then it is ended.
-fn wait(mut child: Child) -> Option<ExitStatus> {
+/// `None` if no child can be made.
+fn child(way: Backend, form: Option<Form>) -> Option<Ended> {
+    let mut command = Command::new(std::env::current_exe().ok()?);
+    command.args([NAME, &way.to_string()]);
+    if let Some(form) = form.and_then(|form| form.to_possible_value()) {
+        command.args(["--report", form.get_name()]);
+    }
+    // A report is shorter than what a pipe holds, so the child never waits for it to be read.
+    let child = command
+        .stdin(Stdio::null())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::null())
+        .spawn();
+    let mut child = child.ok()?;
+    let Some(status) = wait(&mut child) else {
+        let patience = PATIENCE.as_secs();
+        let what = "making a context and drawing takes longer than";
+        return Some(Ended::Badly(format!(
+            "{what} {patience} seconds{}",
+            limit()
+        )));
+    };
+    if let Some(signal) = signal(status) {
+        let what = "making a context crashes";
+        return Some(Ended::Badly(format!("{what} (signal {signal}){}", limit())));
+    }
+    let mut printed = String::new();
+    child.stdout.take()?.read_to_string(&mut printed).ok()?;
+    Some(match status.success() {
+        true => Ended::Well(printed),
+        false => Ended::Refused,
+    })
+}
+
+/// `None` if it does not end; then it is ended.
+fn wait(child: &mut Child) -> Option<ExitStatus> {
     let start = Instant::now();
     while start.elapsed() < PATIENCE {
         match child.try_wait() {

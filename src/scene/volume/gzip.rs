@@ -8,8 +8,8 @@ use flate2::read::{MultiGzDecoder, ZlibDecoder};
 const BEST_RATIO: u64 = 1032;
 
 /// Whether so few packed bytes can hold so many.
-pub(super) fn can_hold(packed: usize, wanted: u64) -> bool {
-    wanted <= (packed as u64).saturating_mul(BEST_RATIO)
+pub(super) fn can_hold(packed: u64, wanted: u64) -> bool {
+    wanted <= packed.saturating_mul(BEST_RATIO)
 }
 
 /// Whether these bytes are gzip's.

@@ -6,7 +6,7 @@ use glam::DAffine3;
 
 use super::check::{self, Fault};
 use super::missing::{self, Missing};
-use super::{Volume, nifti, nrrd, vti};
+use super::{Volume, gzip, nifti, nrrd, vti};
 use crate::error::{Error, Place, Result};
 use crate::memory::MemoryLimit;
 use crate::scene::{source, stem};
@@ -30,17 +30,42 @@ pub(in crate::scene) struct Wish<'a> {
 }
 
 impl Wish<'_> {
-    /// Asks for room for so many samples of files of `on_disk` bytes in all. To be called before anything is taken for
-    /// them, by what the header says.
-    pub(super) fn expect_room(&self, samples: usize, on_disk: u64) -> Result<(), Fault> {
+    /// Asks for room for so many samples of these files. To be called before anything is taken for them, by what the
+    /// header says.
+    pub(super) fn expect_room(&self, samples: usize, files: Stored) -> Result<(), Fault> {
         let bytes = samples as u64 * size_of::<f32>() as u64;
-        let room = self.memory.take_from_files(bytes, on_disk);
+        let room = if gzip::can_hold(files.read, samples as u64) {
+            self.memory.take_from_files(bytes, files.distinct)
+        } else {
+            // The files are cut off, and whoever reads them says so.
+            self.memory.take(bytes)
+        };
         room.map_err(|shortage| shortage.words(format_args!("{samples} samples")))
     }
 
     /// Another file that the first one names.
     pub(super) fn read(&self, path: &Path) -> Result<Vec<u8>> {
         source::read_bytes(path, self.memory)
+    }
+}
+
+/// Bytes of the files that samples are in.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Stored {
+    /// Of all that are read, one after the other.
+    pub(super) read: u64,
+    /// Each file counted once, though it is read several times.
+    pub(super) distinct: u64,
+}
+
+impl Stored {
+    /// Of one file.
+    pub(super) fn of(bytes: &[u8]) -> Self {
+        let bytes = bytes.len() as u64;
+        Self {
+            read: bytes,
+            distinct: bytes,
+        }
     }
 }
 
@@ -215,7 +240,7 @@ mod tests {
                 memory: &full,
                 ..wish
             }
-            .expect_room(24, 96)
+            .expect_room(24, Stored::of(&[0; 96]))
             .unwrap_err();
             assert!(what.contains("24 samples take 96 bytes"), "{what}");
             assert!(what.contains("no more than 95 bytes"), "{what}");

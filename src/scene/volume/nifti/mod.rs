@@ -13,7 +13,7 @@ use glam::{DAffine3, DMat3, DQuat, DVec3};
 
 use super::check;
 use super::gzip;
-use super::load::{Loaded, Parts, Wish};
+use super::load::{Loaded, Parts, Stored, Wish};
 use super::samples::{Layout, SampleType, make_room, nearest};
 use crate::error::{Error, Place, Result};
 use header::Header;
@@ -30,7 +30,7 @@ pub(super) fn read(path: &Path, bytes: &[u8], wish: &Wish) -> Result<Loaded> {
         Header::read(path, bytes)?
     };
     let layout = layout(path, &header)?;
-    wish.expect_room(layout.count(), bytes.len() as u64)
+    wish.expect_room(layout.count(), Stored::of(bytes))
         .map_err(|fault| too_large(path, fault))?;
     let mut samples = if packed {
         unpack(path, bytes, &header, &layout)?
@@ -59,7 +59,7 @@ pub(super) fn read(path: &Path, bytes: &[u8], wish: &Wish) -> Result<Loaded> {
 fn unpack(path: &Path, bytes: &[u8], header: &Header, layout: &Layout) -> Result<Vec<f32>> {
     let start = start(path, header)?;
     let wanted = start as u64 + layout.bytes() as u64;
-    if !gzip::can_hold(bytes.len(), wanted) {
+    if !gzip::can_hold(bytes.len() as u64, wanted) {
         expect(path, layout, 0)?;
     }
     let mut unpacker = gzip::unpack(bytes);

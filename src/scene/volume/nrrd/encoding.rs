@@ -63,7 +63,7 @@ impl Encoding {
             Self::Gzip => {
                 let start = skip.of_stream(header)?;
                 let total = start.saturating_add(layout.bytes() as u64);
-                if !gzip::can_hold(data.len(), total) {
+                if !gzip::can_hold(data.len() as u64, total) {
                     expect(header, layout, 0)?;
                 }
                 room(header, layout, samples)?;

@@ -7,7 +7,7 @@ use super::axes::Axes;
 use super::header::Header;
 use crate::error::Result;
 use crate::scene::MAX_BYTES;
-use crate::scene::volume::load::beside;
+use crate::scene::volume::load::{Stored, beside};
 
 /// The files, all with as many samples.
 pub(super) enum Files<'h> {
@@ -102,15 +102,21 @@ impl<'h> Files<'h> {
         Err(header.wrong("data file", what, "Name a file for each part."))
     }
 
-    /// Bytes of all files but the header's own, each counted once, up to the first one that is missing: a header can
+    /// What all files have, the header's own with these bytes; up to the first one that is missing, because a header can
     /// number more files than any disk has.
-    pub(super) fn bytes(&self, header: &Header) -> u64 {
+    pub(super) fn stored(&self, header: &Header, own: &[u8]) -> Stored {
+        let mut stored = Stored::of(own);
         let mut known = HashSet::new();
-        let sizes = self.all(header).map_while(|path| {
-            let size = path.metadata().ok()?.len();
-            Some(if known.insert(path) { size } else { 0 })
-        });
-        sizes.fold(0, u64::saturating_add)
+        for path in self.all(header) {
+            let Ok(metadata) = path.metadata() else {
+                break;
+            };
+            stored.read = stored.read.saturating_add(metadata.len());
+            if known.insert(path) {
+                stored.distinct = stored.distinct.saturating_add(metadata.len());
+            }
+        }
+        stored
     }
 
     fn all<'f>(&'f self, header: &'f Header) -> impl Iterator<Item = PathBuf> + 'f {

@@ -39,8 +39,7 @@ pub(super) fn read(path: &Path, bytes: &[u8], wish: &Wish) -> Result<Loaded> {
         endian: endian(&header, stored, encoding)?,
     };
     let files = Files::of(&header, &axes)?;
-    let on_disk = bytes.len() as u64 + files.bytes(&header);
-    wish.expect_room(layout.count(), on_disk)
+    wish.expect_room(layout.count(), files.stored(&header, bytes))
         .map_err(|(what, remedy)| header.wrong("sizes", what, remedy))?;
     let samples = samples(&header, &layout, encoding, &files, bytes, wish)?;
     let placement = placement::read(&header, &axes)?;

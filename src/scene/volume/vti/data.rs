@@ -166,7 +166,7 @@ impl<'a> Form<'a> {
         for _ in 0..count {
             lengths.push(self.number(source)?);
         }
-        if !gzip::can_hold(most, layout.bytes() as u64) {
+        if !gzip::can_hold(most as u64, layout.bytes() as u64) {
             layout.expect(0)?;
         }
         let mut samples = Vec::new();

@@ -7,7 +7,7 @@ use super::block::{Block, Kind};
 use super::document::Document;
 use crate::error::Result;
 use crate::scene::volume::check;
-use crate::scene::volume::load::Wish;
+use crate::scene::volume::load::{Stored, Wish};
 
 /// First and last index of the points along x, y and z.
 pub(super) type Extent = [i64; 6];
@@ -31,16 +31,16 @@ impl Image {
         })
     }
 
-    /// All of its samples, in files of `on_disk` bytes.
+    /// All of its samples, which are in these files.
     pub(super) fn block(
         &self,
         document: &Document,
         kind: Kind,
         wish: &Wish,
-        on_disk: u64,
+        files: Stored,
     ) -> Result<Block> {
         let block = kind.block(self.extent);
-        let checked = check::dims(block.dims()).and_then(|count| wish.expect_room(count, on_disk));
+        let checked = check::dims(block.dims()).and_then(|count| wish.expect_room(count, files));
         checked.map_err(|(what, remedy)| {
             let what = match kind {
                 Kind::Points => what,

@@ -19,7 +19,7 @@ use std::path::Path;
 use roxmltree::Node;
 
 use super::check;
-use super::load::{Loaded, Parts, Wish, beside};
+use super::load::{Loaded, Parts, Stored, Wish, beside};
 use crate::error::Result;
 use arrays::{Choice, children};
 use assembly::Assembly;
@@ -37,7 +37,7 @@ pub(super) fn read(path: &Path, bytes: &[u8], wish: &Wish) -> Result<Loaded> {
     let image = Image::read(&document, element)?;
     let first = first_piece(&document, element, &image)?;
     let (choice, notice) = arrays::choose(&document, first, "", wish)?;
-    let whole = image.block(&document, choice.kind, wish, bytes.len() as u64)?;
+    let whole = image.block(&document, choice.kind, wish, Stored::of(bytes))?;
     let mut assembly = Assembly::of(whole);
     add_pieces(&document, root, &choice, &mut assembly)?;
     finish(&document, &image, whole, &choice, assembly, notice, wish)
@@ -51,7 +51,12 @@ pub(super) fn read_parallel(path: &Path, bytes: &[u8], wish: &Wish) -> Result<Lo
     let element = element(&document, root, "PImageData")?;
     let image = Image::read(&document, element)?;
     let (choice, notice) = arrays::choose(&document, element, "P", wish)?;
-    let whole = image.block(&document, choice.kind, wish, bytes_of_pieces(path, element))?;
+    let whole = image.block(
+        &document,
+        choice.kind,
+        wish,
+        stored_in_pieces(path, element),
+    )?;
     let mut assembly = Assembly::of(whole);
     let mut named = HashSet::new();
     for piece in children(element, "Piece") {
@@ -71,14 +76,18 @@ pub(super) fn read_parallel(path: &Path, bytes: &[u8], wish: &Wish) -> Result<Lo
     finish(&document, &image, whole, &choice, assembly, notice, wish)
 }
 
-/// Bytes of all files that pieces name, each counted once. A file that is missing has none.
-fn bytes_of_pieces(path: &Path, element: Node) -> u64 {
+/// What the files have that pieces name, all different ones. A file that is missing has nothing.
+fn stored_in_pieces(path: &Path, element: Node) -> Stored {
     let sources = children(element, "Piece").filter_map(|piece| piece.attribute("Source"));
     let sources: HashSet<_> = sources.collect();
     let sizes = sources
         .iter()
         .filter_map(|source| beside(path, source).metadata().ok());
-    sizes.map(|metadata| metadata.len()).sum()
+    let bytes = sizes.map(|metadata| metadata.len()).sum();
+    Stored {
+        read: bytes,
+        distinct: bytes,
+    }
 }
 
 fn add_file(path: &Path, choice: &Choice, assembly: &mut Assembly, wish: &Wish) -> Result<()> {
