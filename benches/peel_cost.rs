@@ -6,7 +6,7 @@ use std::time::Instant;
 
 use onionskin::gl::{Format, Geometry, GlMachine};
 use onionskin::methods::{Compositing, DepthPeelingOptions};
-use onionskin::papers::vtk;
+use onionskin::papers::{stage, vtk};
 use onionskin::steps::{Dialect, Listing, Map, Variables, gl::*, run};
 use onionskin::{Context, Method, Renderer, Result, Scene, steps};
 
@@ -97,16 +97,16 @@ impl<'c> Parts<'c> {
         let mut machine = GlMachine::new(context, scene.size)?;
         machine.allocate(IMAGE, Format::Rgba32F)?;
         machine.allocate(vtk::COLOR_BUFFER, Format::Rgba32F)?;
-        machine.allocate(vtk::ACCUMULATED, Format::Rgba32F)?;
-        for depth in [vtk::OPAQUE_DEPTH, DEPTH_0, DEPTH_1] {
+        machine.allocate(stage::ACCUMULATED, Format::Rgba32F)?;
+        for depth in [stage::OPAQUE_DEPTH, DEPTH_0, DEPTH_1] {
             machine.allocate(depth, Format::Depth32FStencil8)?;
         }
-        machine.target(vtk::IMAGE, Some(IMAGE), Some(vtk::OPAQUE_DEPTH))?;
-        machine.target(vtk::PEEL, Some(vtk::COLOR_BUFFER), Some(DEPTH_1))?;
-        machine.target(vtk::ACCUMULATION, Some(vtk::ACCUMULATED), None)?;
+        machine.target(stage::IMAGE, Some(IMAGE), Some(stage::OPAQUE_DEPTH))?;
+        machine.target(stage::PEEL, Some(vtk::COLOR_BUFFER), Some(DEPTH_1))?;
+        machine.target(stage::ACCUMULATION, Some(stage::ACCUMULATED), None)?;
         machine.set_geometry(Geometry::upload(context, scene, scene.size)?);
         machine.begin_frame();
-        run(&vtk::OPAQUE_FIRST, &[], Variables::new(), &mut machine)?;
+        run(&stage::OPAQUE_FIRST, &[], Variables::new(), &mut machine)?;
         Ok(Self { machine })
     }
 
@@ -129,9 +129,9 @@ impl<'c> Parts<'c> {
 }
 
 const BEFORE_PEEL: Listing = listing(steps! {
-    glBindFramebuffer(vtk::PEEL);
+    glBindFramebuffer(stage::PEEL);
     glFramebufferDepth(DEPTH_1);
-    glCopyImageSubData(vtk::OPAQUE_DEPTH, DEPTH_1);
+    glCopyImageSubData(stage::OPAQUE_DEPTH, DEPTH_1);
     glEnable(DEPTH_TEST);
     glDepthFunc(LESS);
     glActiveTexture(0);
@@ -139,37 +139,37 @@ const BEFORE_PEEL: Listing = listing(steps! {
     glClear(COLOR_BUFFER_BIT);
 });
 const OPAQUE_PASS: Listing =
-    listing(steps! { glUseProgram(vtk::SURFACE); drawTransparentObjects(); });
+    listing(steps! { glUseProgram(stage::SURFACE); drawTransparentObjects(); });
 const FIRST_PEEL: Listing = listing(steps! {
     glSamplerCompareFunc(ALWAYS);
-    glUseProgram(vtk::PEEL_SURFACE);
+    glUseProgram(stage::PEEL_SURFACE);
     drawTransparentObjects();
 });
 const BEFORE_SECOND: Listing = listing(steps! {
     run BEFORE_PEEL;
     glFramebufferDepth(DEPTH_0);
-    glCopyImageSubData(vtk::OPAQUE_DEPTH, DEPTH_0);
+    glCopyImageSubData(stage::OPAQUE_DEPTH, DEPTH_0);
     run OPAQUE_PASS;
     run BEFORE_PEEL;
 });
 const SECOND_PEEL: Listing = listing(steps! {
     glSamplerCompareFunc(GREATER);
-    glUseProgram(vtk::PEEL_SURFACE);
+    glUseProgram(stage::PEEL_SURFACE);
     drawTransparentObjects();
 });
 const CLEAR: Listing = listing(steps! { glClear(COLOR_BUFFER_BIT); });
-const COPY: Listing = listing(steps! { glCopyImageSubData(vtk::OPAQUE_DEPTH, DEPTH_1); });
+const COPY: Listing = listing(steps! { glCopyImageSubData(stage::OPAQUE_DEPTH, DEPTH_1); });
 const BEFORE_UNDER: Listing = listing(steps! {
     run BEFORE_SECOND;
     run SECOND_PEEL;
-    glBindFramebuffer(vtk::ACCUMULATION);
+    glBindFramebuffer(stage::ACCUMULATION);
     glClear(COLOR_BUFFER_BIT);
     glDisable(DEPTH_TEST);
     glEnable(BLEND);
     glBlendFuncSeparate(ONE_MINUS_DST_ALPHA, ONE, ONE_MINUS_DST_ALPHA, ONE);
     glUseProgram(vtk::UNDER_LAYER);
     glActiveTexture(1);
-    glBindTexture(vtk::OPAQUE_DEPTH);
+    glBindTexture(stage::OPAQUE_DEPTH);
     glActiveTexture(3);
     glBindTexture(DEPTH_1);
     glActiveTexture(2);

@@ -14,8 +14,8 @@ use onionskin::fragment::{Fragment, Rgba};
 use onionskin::gl::{Geometry, GlMachine, capture};
 use onionskin::papers::carr_2008::coherent::{self, PASS_5, PASS_6, RANGE_1, RANGE_3, RANGE_5};
 use onionskin::papers::carr_2008::passes::{PASS_1, PASS_2, PASS_3, PASS_4};
-use onionskin::papers::carr_2008::{D_SN, DEPTH_BUFFER, PEEL, Z_MIN_POST, Z_MIN_PREV};
-use onionskin::papers::vtk;
+use onionskin::papers::carr_2008::{D_SN, DEPTH_BUFFER, Z_MIN_POST, Z_MIN_PREV};
+use onionskin::papers::stage;
 use onionskin::scene::generate::{Quads, quads};
 use onionskin::steps::{Dialect, Format, Listing, Map, Variables, Workspace, gl::*, run};
 use onionskin::{Context, Image, Result, Scene, steps};
@@ -30,7 +30,7 @@ const PASSES: [(&str, Listing); 6] = [
     (
         "Pass 1: count the surfaces that lower the depth",
         listing(steps! {
-            glBindFramebuffer(PEEL);
+            glBindFramebuffer(stage::PEEL);
             glColorMask(false, false, false, false);
             run RANGE_1;
             run PASS_1;
@@ -92,7 +92,7 @@ fn main() -> Result<()> {
     gl.set_geometry(Geometry::upload(&context, &scene, scene.size)?);
     furnish(&mut gl)?;
     gl.begin_frame();
-    run(&vtk::OPAQUE_FIRST, &[], Variables::new(), &mut gl)?;
+    run(&stage::OPAQUE_FIRST, &[], Variables::new(), &mut gl)?;
     let surfaces = surfaces(&mut gl)?;
     let s4 = surfaces[4].fragment.depth;
     let mut emulator = Emulator::new(vec![surfaces]).watching(0);
@@ -146,20 +146,20 @@ fn furnish(workspace: &mut impl Workspace) -> Result<()> {
     let (color, depth) = (Format::Rgba32F, Format::Depth32FStencil8);
     let image = Map::named("image");
     workspace.allocate(image, color)?;
-    workspace.allocate(vtk::OPAQUE_DEPTH, depth)?;
-    workspace.target_of(vtk::IMAGE, &[image], Some(vtk::OPAQUE_DEPTH))?;
+    workspace.allocate(stage::OPAQUE_DEPTH, depth)?;
+    workspace.target_of(stage::IMAGE, &[image], Some(stage::OPAQUE_DEPTH))?;
     coherent::furnish(workspace, color, depth, None)
 }
 
 /// Nothing opaque, and everything up to s4 peeled.
 fn begin(machine: &mut impl Workspace, s4: f32) -> Result<()> {
-    run(&vtk::OPAQUE_FIRST, &[], Variables::new(), machine)?;
+    run(&stage::OPAQUE_FIRST, &[], Variables::new(), machine)?;
     coherent::begin_batch(machine, s4, 1.0)
 }
 
 /// The fragments that OpenGL makes, in the order of submission.
 fn surfaces(gl: &mut GlMachine<'_>) -> Result<Vec<Surface>> {
-    let mut captured = capture(gl, vtk::OPAQUE_DEPTH, 1000)?;
+    let mut captured = capture(gl, stage::OPAQUE_DEPTH, 1000)?;
     captured.sort_by_key(|fragment| fragment.order);
     let surface = |fragment: &onionskin::gl::CapturedFragment| Surface {
         fragment: Fragment {

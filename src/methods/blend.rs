@@ -3,7 +3,7 @@
 use super::{Algorithm, Drawn};
 use crate::error::Result;
 use crate::gl::GlMachine;
-use crate::papers::vtk::OPAQUE_FIRST;
+use crate::papers::stage::OPAQUE_FIRST;
 use crate::scene::Scene;
 use crate::steps;
 use crate::steps::{Dialect, Listing, Variables, gl::*, run};

@@ -13,9 +13,9 @@ use super::sorting::Sorting;
 use super::{Algorithm, Drawn};
 use crate::error::{Error, Result};
 use crate::gl::{Format, Geometry, GlMachine};
+use crate::papers::carr_2008::coherent;
 use crate::papers::carr_2008::coherent::{LOOP_A, LOOP_B, VARIANT_A, VARIANT_B};
-use crate::papers::carr_2008::{self, coherent};
-use crate::papers::vtk;
+use crate::papers::stage;
 use crate::scene::Scene;
 use crate::steps;
 use crate::steps::{Amendment, Dialect, Listing, Variables, run};
@@ -137,13 +137,8 @@ impl CoherentLayerPeeling {
             Variant::A => BATCH_A,
             Variant::B => BATCH_B,
         };
-        run(&vtk::OPAQUE_FIRST, &[], Variables::new(), machine)?;
-        run(
-            &carr_2008::CLEAR_ACCUMULATION,
-            &[],
-            Variables::new(),
-            machine,
-        )?;
+        run(&stage::OPAQUE_FIRST, &[], Variables::new(), machine)?;
+        run(&stage::CLEAR_ACCUMULATION, &[], Variables::new(), machine)?;
         let mut all = Drawn::default();
         let mut composited = 0;
         for batch in batches {
@@ -159,7 +154,7 @@ impl CoherentLayerPeeling {
             composited += drawn.composited.count();
             all.stopped = drawn.stopped;
         }
-        run(&carr_2008::OVER_OPAQUE, &[], Variables::new(), machine)?;
+        run(&stage::OVER_OPAQUE, &[], Variables::new(), machine)?;
         self.submit(machine, scene, &self.order)?;
         all.composited = super::Composited::Some(composited);
         Ok(all)
@@ -180,7 +175,7 @@ impl Algorithm for CoherentLayerPeeling {
         // Depths as colors need the image's full float precision (X17).
         let depths_as_color = (self.options.variant == Variant::B).then_some(self.color);
         coherent::furnish(machine, self.color, self.depth, depths_as_color)?;
-        machine.target(vtk::COMPOSITE, Some(super::renderer::IMAGE), None)
+        machine.target(stage::COMPOSITE, Some(stage::IMAGE_COLOR), None)
     }
 
     fn draw(&mut self, machine: &mut GlMachine<'_>, scene: &Scene) -> Result<Drawn> {

@@ -5,7 +5,7 @@ use super::renderer::Renderer;
 use crate::error::Result;
 use crate::gl::Format;
 use crate::papers::lindholm_2015 as paper;
-use crate::papers::vtk;
+use crate::papers::stage;
 use crate::scene::Scene;
 use crate::steps::{Variables, run};
 
@@ -111,21 +111,25 @@ impl Renderer<'_> {
         self.set_up(scene)?;
         self.begin(scene)?;
         let machine = &mut self.machine;
-        run(&vtk::OPAQUE_FIRST, &[], Variables::new(), machine)?;
+        run(&stage::OPAQUE_FIRST, &[], Variables::new(), machine)?;
         if by == CountBy::Stencil {
             expect_stencil(machine)?;
         }
         let (format, listing) = match by {
-            CountBy::Blending => (Format::R32F, paper::COUNT_BY_BLENDING),
+            CountBy::Blending => (Format::R32F, stage::COUNT_AT_EACH_PIXEL),
             CountBy::Atomics => (Format::R32Ui, paper::COMPLEXITY_IMAGE),
             CountBy::Stencil => (Format::R32F, paper::COUNT_BY_STENCIL),
         };
-        machine.allocate(paper::COMPLEXITY, format)?;
-        machine.target_of(paper::COUNT, &[paper::COMPLEXITY], Some(vtk::OPAQUE_DEPTH))?;
+        machine.allocate(stage::COMPLEXITY, format)?;
+        machine.target_of(
+            stage::COUNTED,
+            &[stage::COMPLEXITY],
+            Some(stage::OPAQUE_DEPTH),
+        )?;
         run(&listing, fused(scene), Variables::new(), machine)?;
         let map = match by {
-            CountBy::Stencil => vtk::OPAQUE_DEPTH,
-            CountBy::Blending | CountBy::Atomics => paper::COMPLEXITY,
+            CountBy::Stencil => stage::OPAQUE_DEPTH,
+            CountBy::Blending | CountBy::Atomics => stage::COMPLEXITY,
         };
         let [width, height] = machine.size();
         let bottom_up = machine.read_counts(map)?;

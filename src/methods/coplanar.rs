@@ -26,9 +26,9 @@ use super::{Method, Renderer};
 use crate::error::Result;
 use crate::fragment::Rgba;
 use crate::gl::{Context, Format, Geometry, GlMachine, capture};
-use crate::papers::vtk::{self, OPAQUE_DEPTH, OPAQUE_FIRST};
+use crate::papers::stage::{self, OPAQUE_DEPTH, OPAQUE_FIRST};
 use crate::scene::{Scene, Shading};
-use crate::steps::{Map, Variables, run};
+use crate::steps::{Variables, run};
 
 /// How many fragments there are and how many a method shows, pixel by pixel, row by row from the top.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -87,14 +87,13 @@ pub fn shown(context: &Context, scene: &Scene, method: &Method, depth: Format) -
 
 /// How many fragments each pixel has.
 fn submitted(context: &Context, scene: &Scene) -> Result<Vec<u32>> {
-    const IMAGE: Map = Map::named("image");
     const AT_A_TIME: u32 = 2 << 20;
     let [width, height] = scene.size;
     let _visit = context.visit()?;
     let mut machine = GlMachine::new(context, scene.size)?;
-    machine.allocate(IMAGE, Format::Rgba8)?;
+    machine.allocate(stage::IMAGE_COLOR, Format::Rgba8)?;
     machine.allocate(OPAQUE_DEPTH, Format::Depth32FStencil8)?;
-    machine.target(vtk::IMAGE, Some(IMAGE), Some(OPAQUE_DEPTH))?;
+    machine.target(stage::IMAGE, Some(stage::IMAGE_COLOR), Some(OPAQUE_DEPTH))?;
     machine.set_geometry(Geometry::upload(context, scene, scene.size)?);
     machine.begin_frame();
     run(&OPAQUE_FIRST, &[], Variables::new(), &mut machine)?;

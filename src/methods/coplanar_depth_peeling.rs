@@ -7,12 +7,11 @@
 //! Excludes: multisampling; depths at or beyond the far plane, which GL clips.
 
 use super::iteration_bound::iteration_bound;
-use super::renderer::IMAGE;
 use super::{Algorithm, Composited, Drawn, Peeling, requirements};
 use crate::error::Result;
 use crate::gl::{Format, GlMachine};
+use crate::papers::stage;
 use crate::papers::vasilakis_2013::{COPLANAR_PEELING, DEPTH_BUFFERS};
-use crate::papers::vtk;
 use crate::scene::Scene;
 use crate::steps::{DepthUnits, Reason, Variables, run};
 
@@ -52,20 +51,20 @@ impl Algorithm for CoplanarDepthPeeling {
         for map in DEPTH_BUFFERS {
             machine.allocate(map, self.depth)?;
         }
-        machine.allocate(vtk::ACCUMULATED, self.color)?;
+        machine.allocate(stage::ACCUMULATED, self.color)?;
         // The first pass of each layer draws depths alone.
-        machine.target(vtk::PEEL, None, Some(DEPTH_BUFFERS[0]))?;
+        machine.target(stage::PEEL, None, Some(DEPTH_BUFFERS[0]))?;
         machine.target(
-            vtk::ACCUMULATION,
-            Some(vtk::ACCUMULATED),
+            stage::ACCUMULATION,
+            Some(stage::ACCUMULATED),
             Some(DEPTH_BUFFERS[0]),
         )?;
-        machine.target(vtk::COMPOSITE, Some(IMAGE), None)
+        machine.target(stage::COMPOSITE, Some(stage::IMAGE_COLOR), None)
     }
 
     fn draw(&mut self, machine: &mut GlMachine<'_>, scene: &Scene) -> Result<Drawn> {
         if scene.meshes.iter().all(|mesh| mesh.opaque) {
-            run(&vtk::OPAQUE_FIRST, &[], Variables::new(), machine)?;
+            run(&stage::OPAQUE_FIRST, &[], Variables::new(), machine)?;
             return Ok(Drawn {
                 peeling: Peeling::NothingTransparent,
                 ..Drawn::default()

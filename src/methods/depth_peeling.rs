@@ -9,12 +9,11 @@
 
 use super::depth_unit_0::DepthUnit0;
 use super::iteration_bound::iteration_bound;
-use super::renderer::IMAGE;
 use super::{Algorithm, Composited, Drawn, Peeling, requirements};
 use crate::error::{Error, Result};
 use crate::gl::{Format, GlMachine};
 use crate::papers::everitt_2001::{self, LISTING_1};
-use crate::papers::vtk;
+use crate::papers::{stage, vtk};
 use crate::scene::Scene;
 use crate::steps::{Amendment, Call, DepthUnits, Machine, Map, Outcome, Reason, Variables, run};
 
@@ -110,14 +109,14 @@ impl Algorithm for DepthPeeling {
             machine.allocate(Map::numbered(DEPTH_BUFFER, number), self.depth)?;
         }
         machine.target(
-            vtk::PEEL,
+            stage::PEEL,
             Some(vtk::COLOR_BUFFER),
             Some(Map::numbered(DEPTH_BUFFER, 0)),
         )?;
-        machine.target(vtk::COMPOSITE, Some(IMAGE), None)?;
+        machine.target(stage::COMPOSITE, Some(stage::IMAGE_COLOR), None)?;
         if !self.options.keeps_layers() {
-            machine.allocate(vtk::ACCUMULATED, self.color)?;
-            machine.target(vtk::ACCUMULATION, Some(vtk::ACCUMULATED), None)?;
+            machine.allocate(stage::ACCUMULATED, self.color)?;
+            machine.target(stage::ACCUMULATION, Some(stage::ACCUMULATED), None)?;
         }
         Ok(())
     }
@@ -127,7 +126,7 @@ impl Algorithm for DepthPeeling {
             return self.draw_as_printed(machine);
         }
         if scene.meshes.iter().all(|mesh| mesh.opaque) {
-            run(&vtk::OPAQUE_FIRST, &[], Variables::new(), machine)?;
+            run(&stage::OPAQUE_FIRST, &[], Variables::new(), machine)?;
             return Ok(Drawn {
                 iterations: 0,
                 peeling: Peeling::NothingTransparent,
@@ -195,7 +194,7 @@ impl DepthPeeling {
             &mut units,
         )?;
         units.perform(&Call::BindFramebuffer {
-            framebuffer: vtk::COMPOSITE,
+            framebuffer: stage::COMPOSITE,
         })?;
         let layers = self.options.maximum_number_of_peels;
         let variables = outcome.variables.with("num_layers", f64::from(layers));
@@ -220,13 +219,13 @@ impl DepthPeeling {
 /// covers nothing.
 const AS_PRINTED_AROUND: [Call; 5] = [
     Call::BindFramebuffer {
-        framebuffer: vtk::COMPOSITE,
+        framebuffer: stage::COMPOSITE,
     },
     Call::Clear {
         mask: crate::steps::gl::COLOR_BUFFER_BIT,
     },
     Call::BindFramebuffer {
-        framebuffer: vtk::PEEL,
+        framebuffer: stage::PEEL,
     },
     Call::ClearColor {
         red: 0.0,
@@ -235,7 +234,7 @@ const AS_PRINTED_AROUND: [Call; 5] = [
         alpha: 0.0,
     },
     Call::UseProgram {
-        program: vtk::PEEL_SURFACE,
+        program: stage::PEEL_SURFACE,
     },
 ];
 

@@ -9,12 +9,11 @@
 //!
 //! Excludes: multisampling; depths at or beyond the far plane, which GL clips.
 
-use super::renderer::IMAGE;
 use super::{Algorithm, Composited, DepthPeelingOptions, Drawn, Peeling, requirements};
 use crate::error::Result;
 use crate::gl::{Format, GlMachine};
 use crate::papers::bavoil_2008::{self as bavoil, DUAL_DEPTH_PEELING};
-use crate::papers::vtk;
+use crate::papers::stage;
 use crate::scene::Scene;
 use crate::steps::{Amendment, Machine, Reason, Variables, run};
 
@@ -64,18 +63,18 @@ impl Algorithm for DualDepthPeeling {
             machine.allocate(map, self.color)?;
         }
         let [depths, _] = bavoil::DEPTHS;
-        let culled = Some(vtk::OPAQUE_DEPTH);
+        let culled = Some(stage::OPAQUE_DEPTH);
         machine.target(bavoil::DEPTHS_ALONE, Some(depths), culled)?;
         let peeled = [depths, bavoil::FRONT_COLOR, bavoil::FARTHEST];
         machine.target_of(bavoil::PEELS, &peeled, culled)?;
         machine.target(bavoil::BACK, Some(bavoil::BACK_COLOR), None)?;
         machine.target(bavoil::DEPTH_TESTED, None, culled)?;
-        machine.target(vtk::COMPOSITE, Some(IMAGE), None)
+        machine.target(stage::COMPOSITE, Some(stage::IMAGE_COLOR), None)
     }
 
     fn draw(&mut self, machine: &mut GlMachine<'_>, scene: &Scene) -> Result<Drawn> {
         if scene.meshes.iter().all(|mesh| mesh.opaque) {
-            run(&vtk::OPAQUE_FIRST, &[], Variables::new(), machine)?;
+            run(&stage::OPAQUE_FIRST, &[], Variables::new(), machine)?;
             return Ok(Drawn {
                 peeling: Peeling::NothingTransparent,
                 ..Drawn::default()

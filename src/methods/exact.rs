@@ -15,7 +15,7 @@ use crate::oracle::DepthBuffer;
 use crate::oracle::pixel::{Covering, Visible, hangs, sorted};
 use crate::oracle::surfaces::Surfaces;
 use crate::oracle::volumes::Ray;
-use crate::papers::vtk::OPAQUE_DEPTH;
+use crate::papers::stage::OPAQUE_DEPTH;
 use crate::scene::Scene;
 use crate::steps::{Compare, Objects};
 

@@ -14,7 +14,7 @@ use super::{Algorithm, Drawn};
 use crate::error::Result;
 use crate::gl::{Format, Geometry, GlMachine};
 use crate::papers::carr_2008::hybrid;
-use crate::papers::vtk;
+use crate::papers::stage;
 use crate::scene::Scene;
 use crate::steps::run;
 
@@ -31,7 +31,7 @@ impl Algorithm for HybridLayerPeeling {
         machine.set_geometry(geometry);
         self.options.prepare(machine)?;
         hybrid::furnish(machine, self.color, self.depth)?;
-        machine.target(vtk::COMPOSITE, Some(super::renderer::IMAGE), None)
+        machine.target(stage::COMPOSITE, Some(stage::IMAGE_COLOR), None)
     }
 
     fn draw(&mut self, machine: &mut GlMachine<'_>, _: &Scene) -> Result<Drawn> {

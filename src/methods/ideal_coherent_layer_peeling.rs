@@ -10,7 +10,7 @@ use super::{Algorithm, Composited, Drawn};
 use crate::error::{Error, Result};
 use crate::gl::{Geometry, GlMachine};
 use crate::papers::carr_2008::ideal;
-use crate::papers::vtk;
+use crate::papers::stage;
 use crate::scene::Scene;
 use crate::steps::run;
 
@@ -91,7 +91,7 @@ impl Algorithm for IdealCoherentLayerPeeling {
         } else {
             ideal::furnish(machine)?;
         }
-        machine.target(vtk::COMPOSITE, Some(super::renderer::IMAGE), None)
+        machine.target(stage::COMPOSITE, Some(stage::IMAGE_COLOR), None)
     }
 
     fn draw(&mut self, machine: &mut GlMachine<'_>, _: &Scene) -> Result<Drawn> {

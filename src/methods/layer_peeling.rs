@@ -9,7 +9,7 @@ use super::{Algorithm, Drawn};
 use crate::error::Result;
 use crate::gl::{Format, GlMachine};
 use crate::papers::carr_2008::hybrid;
-use crate::papers::vtk;
+use crate::papers::stage;
 use crate::scene::Scene;
 use crate::steps::run;
 
@@ -30,7 +30,7 @@ impl Algorithm for LayerPeeling {
     fn prepare(&mut self, machine: &mut GlMachine<'_>, _: &Scene) -> Result<()> {
         self.options.prepare(machine)?;
         hybrid::furnish(machine, self.color, self.depth)?;
-        machine.target(vtk::COMPOSITE, Some(super::renderer::IMAGE), None)
+        machine.target(stage::COMPOSITE, Some(stage::IMAGE_COLOR), None)
     }
 
     fn draw(&mut self, machine: &mut GlMachine<'_>, _: &Scene) -> Result<Drawn> {

@@ -19,10 +19,9 @@ use crate::error::Result;
 use crate::gl::{Context, Format, Geometry, GlMachine};
 use crate::image::Image;
 use crate::oracle::DepthBuffer;
-use crate::papers::vtk;
+use crate::papers::stage;
 use crate::scene::{Camera, Scene};
-use crate::steps;
-use crate::steps::{Call, Dialect, Listing, Machine, Map, Query, Target, Variables, gl::*, run};
+use crate::steps::{Call, Machine, Map, Variables, run};
 
 /// Renders scenes at one size.
 ///
@@ -81,34 +80,8 @@ struct Shown<'s> {
     given: Camera,
 }
 
-/// The map that holds the finished image.
-pub(super) const IMAGE: Map = Map::named("image");
-
 /// After this no further frame is measured.
 const PATIENCE: Duration = Duration::from_secs(2);
-
-/// Counts the transparent fragments before the opaque depth with an occlusion query, depth only.
-const COUNT: Listing = Listing {
-    title: "How many fragments belong into the image",
-    source: "onionskin",
-    dialect: Dialect::Calls,
-    steps: steps! {
-        glBindFramebuffer(DEPTH_ALONE);
-        glClear(DEPTH_BUFFER_BIT);
-        glEnable(DEPTH_TEST);
-        glDepthFunc(LESS);
-        glUseProgram(vtk::SURFACE);
-        drawOpaqueObjects();
-        glDepthMask(false);
-        glBeginQuery(FRAGMENTS);
-        drawTransparentObjects();
-        glEndQuery(FRAGMENTS);
-        glDepthMask(true);
-    },
-};
-
-const FRAGMENTS: Query = Query("fragments");
-const DEPTH_ALONE: Target = Target("depth alone");
 
 impl<'c> Renderer<'c> {
     /// A renderer for images of `width` x `height` pixels, with 32-bit float colours and depths.
@@ -225,16 +198,20 @@ impl<'c> Renderer<'c> {
     /// # Errors
     /// If nothing has been rendered yet.
     pub fn present(&mut self) -> Result<()> {
-        self.machine.copy_to_window(vtk::IMAGE)
+        self.machine.copy_to_window(stage::IMAGE)
     }
 
     /// Makes the image and the opaque depth, and uploads the scene.
     pub(super) fn set_up(&mut self, scene: &Scene) -> Result<()> {
         let machine = &mut self.machine;
         machine.free_every_map();
-        machine.allocate(IMAGE, self.color)?;
-        machine.allocate(vtk::OPAQUE_DEPTH, self.depth)?;
-        machine.target(vtk::IMAGE, Some(IMAGE), Some(vtk::OPAQUE_DEPTH))?;
+        machine.allocate(stage::IMAGE_COLOR, self.color)?;
+        machine.allocate(stage::OPAQUE_DEPTH, self.depth)?;
+        machine.target(
+            stage::IMAGE,
+            Some(stage::IMAGE_COLOR),
+            Some(stage::OPAQUE_DEPTH),
+        )?;
         machine.set_geometry(Geometry::upload(machine.context(), scene, machine.size())?);
         Ok(())
     }
@@ -362,7 +339,7 @@ impl<'c> Renderer<'c> {
         let counts = self.machine.counts();
         let image = match drawn.image {
             Some(image) => image,
-            None => self.image(IMAGE)?,
+            None => self.image(stage::IMAGE_COLOR)?,
         };
         let layers = match method {
             Method::DepthPeeling(options) if options.keeps_layers() => {
@@ -429,13 +406,18 @@ impl<'c> Renderer<'c> {
         (0..count).map(layer).collect()
     }
 
-    /// What belongs into the image, whatever the method has done: see [`COUNT`]. Leaves the image as it is.
+    /// What belongs into the image, whatever the method has done: see [`stage::COUNT`]. Leaves the image as it is.
     fn count_fragments(&mut self, scene: &Scene) -> Result<u64> {
         self.machine
-            .target(DEPTH_ALONE, None, Some(vtk::OPAQUE_DEPTH))?;
+            .target(stage::DEPTH_ALONE, None, Some(stage::OPAQUE_DEPTH))?;
         self.begin(scene)?;
-        run(&COUNT, fused(scene), Variables::new(), &mut self.machine)?;
-        self.machine.samples(FRAGMENTS)
+        run(
+            &stage::COUNT,
+            fused(scene),
+            Variables::new(),
+            &mut self.machine,
+        )?;
+        self.machine.samples(stage::FRAGMENTS)
     }
 }
 

@@ -7,7 +7,7 @@
 //! third that nobody has drawn. OpenGL 4.0 blends each draw buffer in its own way, so here MAX is for the depths alone;
 //! colours of equal depth go under one another in the order of submission, and none is lost.
 
-use crate::papers::{everitt_2001, vtk};
+use crate::papers::stage;
 use crate::steps;
 use crate::steps::{Dialect, Listing, Map, Query, Shader, Target, gl::*};
 
@@ -17,7 +17,7 @@ pub const DUAL_DEPTH_PEELING: Listing = Listing {
     source: "Bavoil and Myers 2008",
     dialect: Dialect::Calls,
     steps: steps! {
-        run vtk::OPAQUE_FIRST;
+        run stage::OPAQUE_FIRST;
         run NOTHING_PEELED;
         run FIRST_DEPTHS;
         peels = 0;
@@ -100,7 +100,7 @@ const BACK_OVER_BACK: Listing = Listing {
         glDisable(DEPTH_TEST);
         glBlendEquationi(0, FUNC_ADD);
         glBlendFunci(0, ONE, ONE_MINUS_SRC_ALPHA);
-        glUseProgram(everitt_2001::LAYER);
+        glUseProgram(stage::LAYER);
         glActiveTexture(2);
         glBindTexture(FARTHEST);
         drawScreen();
@@ -132,12 +132,12 @@ const FRONT_OVER_BACK_OVER_OPAQUE: Listing = Listing {
     source: "Bavoil and Myers 2008, final pass",
     dialect: Dialect::Calls,
     steps: steps! {
-        glBindFramebuffer(vtk::COMPOSITE);
+        glBindFramebuffer(stage::COMPOSITE);
         glDisable(DEPTH_TEST);
         glEnable(BLEND);
         glBlendEquationi(0, FUNC_ADD);
         glBlendFunci(0, ONE, ONE_MINUS_SRC_ALPHA);
-        glUseProgram(everitt_2001::LAYER);
+        glUseProgram(stage::LAYER);
         glActiveTexture(2);
         glBindTexture(BACK_COLOR);
         drawScreen();

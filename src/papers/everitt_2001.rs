@@ -12,8 +12,9 @@ pub use invariance::{REPLACED, WINDOW_Z};
 pub use listing_2::LISTING_2;
 pub use shadow::SHADOW_AS_DEPTH_TEST;
 
+use super::stage::LAYER;
 use crate::steps;
-use crate::steps::{Amendment, Dialect, Listing, Map, Shader, gl::*};
+use crate::steps::{Amendment, Dialect, Listing, Map, gl::*};
 
 /// Listing 1, line by line.
 pub const LISTING_1: Listing = Listing {
@@ -77,8 +78,5 @@ pub const ALPHA: Amendment = Amendment {
     why: "alpha is covered by alpha, not by its square",
     test: "e12_the_printed_blend_function_leaves_an_opaque_image_translucent",
 };
-
-/// Draws a layer's colour (texture unit 2) as it is.
-pub const LAYER: Shader = Shader("layer");
 
 const LAYER_I: Map = Map::at("layer", "i");

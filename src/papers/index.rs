@@ -2,7 +2,7 @@
 
 use super::carr_2008::{coherent, hybrid, ideal, passes};
 use super::lindholm_2015::{components, fused};
-use super::{bavoil_2008, everitt_2001, lindholm_2015, vasilakis_2013, vtk};
+use super::{bavoil_2008, everitt_2001, lindholm_2015, stage, vasilakis_2013, vtk};
 use crate::steps::pseudo::{Algorithm, Line, list};
 use crate::steps::{Amendment, Listing};
 
@@ -55,7 +55,7 @@ pub const fn papers() -> &'static [Paper] {
             key: "vtk",
             citation: "VTK wiki, Depth Peeling, 2006",
             listings: &[
-                ("opaque-first", vtk::OPAQUE_FIRST, &[]),
+                ("opaque-first", stage::OPAQUE_FIRST, &[]),
                 ("keep-layers", vtk::KEEP_LAYERS, &[]),
                 ("on-the-fly", vtk::ON_THE_FLY, &[]),
             ],

@@ -9,7 +9,7 @@
 pub mod components;
 pub mod fused;
 
-use super::vtk::OPAQUE_DEPTH;
+use super::stage::{COMPLEXITY, COUNTED, ONE_EACH, OPAQUE_DEPTH};
 use crate::steps;
 use crate::steps::{Amendment, Dialect, Listing, Map, Query, Shader, Storage, Target, gl::*};
 
@@ -20,7 +20,7 @@ pub const COMPLEXITY_IMAGE: Listing = Listing {
     source: "Lindholm et al. 2015, section 3.1",
     dialect: Dialect::Calls,
     steps: steps! {
-        glBindFramebuffer(COUNT);
+        glBindFramebuffer(COUNTED);
         glClearBufferuiv(0);
         glColorMask(false, false, false, false);
         glDepthMask(false);
@@ -34,32 +34,13 @@ pub const COMPLEXITY_IMAGE: Listing = Listing {
     },
 };
 
-/// The same count by the fixed function: each fragment adds 1.
-pub const COUNT_BY_BLENDING: Listing = Listing {
-    title: "The depth complexity image, by additive blending",
-    source: "onionskin",
-    dialect: Dialect::Calls,
-    steps: steps! {
-        glBindFramebuffer(COUNT);
-        glClearColor(0.0, 0.0, 0.0, 0.0);
-        glClear(COLOR_BUFFER_BIT);
-        glDepthMask(false);
-        glEnable(BLEND);
-        glBlendFunc(ONE, ONE);
-        glUseProgram(COUNT_ONE);
-        drawTransparentObjects();
-        glDisable(BLEND);
-        glDepthMask(true);
-    },
-};
-
 /// The same count by the stencil buffer: at most 255.
 pub const COUNT_BY_STENCIL: Listing = Listing {
     title: "The depth complexity image, by the stencil buffer",
     source: "Lindholm et al. 2015, section 6.2",
     dialect: Dialect::Calls,
     steps: steps! {
-        glBindFramebuffer(COUNT);
+        glBindFramebuffer(COUNTED);
         glClearStencil(0);
         glClear(STENCIL_BUFFER_BIT);
         glColorMask(false, false, false, false);
@@ -67,7 +48,7 @@ pub const COUNT_BY_STENCIL: Listing = Listing {
         glEnable(STENCIL_TEST);
         glStencilFunc(ALWAYS, 0, 0xFF);
         glStencilOp(KEEP, KEEP, INCR);
-        glUseProgram(COUNT_ONE);
+        glUseProgram(ONE_EACH);
         drawTransparentObjects();
         glDisable(STENCIL_TEST);
         glColorMask(true, true, true, true);
@@ -296,8 +277,6 @@ const AFTER_RESOLVE: Listing = Listing {
     },
 };
 
-/// The depth complexity: a count of fragments for each pixel.
-pub const COMPLEXITY: Map = Map::named("complexity");
 /// One counter a pixel that the Fill Step counts up, from 0 or from the pixel's base offset.
 pub const COUNTER: Map = Map::named("fragment counter");
 /// PPLL that is filled by atomics: one more than the node where each pixel's list begins, 0 for nowhere.
@@ -315,8 +294,6 @@ pub const NEXT: Storage = Storage("list links");
 pub const OFFSETS: Storage = Storage("base offsets");
 /// PPLL that is filled by atomics: how many nodes have been taken from the pool.
 pub const POOL: Storage = Storage("node pool");
-/// Where complexity is counted.
-pub const COUNT: Target = Target("count");
 /// The counters and anchors, to be cleared.
 pub const CLEARED: Target = Target("clear");
 /// Where lists are filled.
@@ -327,7 +304,6 @@ pub const RESOLVED: Target = Target("resolve");
 pub const COVERED: Query = Query("resolved pixels");
 
 const COUNT_ATOMICALLY: Shader = Shader("a_buffer/count");
-const COUNT_ONE: Shader = Shader("a_buffer/one");
 const BEGIN: Shader = Shader("a_buffer/begin");
 const FILL_ATOMICALLY: Shader = Shader("a_buffer/fill");
 const FILL_IN_ORDER: Shader = Shader("a_buffer/fill_ordered");

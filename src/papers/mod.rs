@@ -5,6 +5,7 @@ pub mod carr_2008;
 pub mod everitt_2001;
 mod index;
 pub mod lindholm_2015;
+pub mod stage;
 pub mod vasilakis_2013;
 pub mod vtk;
 

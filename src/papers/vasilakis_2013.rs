@@ -7,7 +7,7 @@
 //! takes them in the order of submission by itself, which is onionskin's policy for equal depths.)
 
 use crate::papers::everitt_2001::LISTING_1;
-use crate::papers::vtk;
+use crate::papers::{stage, vtk};
 use crate::steps;
 use crate::steps::{Amendment, Dialect, Listing, Map, Query, Shader, gl::*};
 
@@ -17,13 +17,13 @@ pub const COPLANAR_PEELING: Listing = Listing {
     source: "Vasilakis and Fudos 2013",
     dialect: Dialect::Calls,
     steps: steps! {
-        run vtk::OPAQUE_FIRST;
+        run stage::OPAQUE_FIRST;
+        run stage::CLEAR_ACCUMULATION;
         run vtk::BEFORE_PEELING;
         num_layers = 0;
         composited = 0;
-        run vtk::CLEAR_ACCUMULATION;
         run LISTING_1 amended by &[vtk::NO_CLEAR, vtk::CULL_BY_OPAQUE, vtk::QUERY, EVERY_FRAGMENT];
-        run vtk::ACCUMULATION_OVER_OPAQUE;
+        run stage::OVER_OPAQUE;
     },
 };
 
@@ -34,10 +34,10 @@ pub const EVERY_FRAGMENT: Amendment = Amendment {
     place: "Listing 1, save color buffer RGBA as layer i",
     printed: steps! { save color buffer RGBA as layer i; },
     amended: steps! {
-        glBindFramebuffer(vtk::ACCUMULATION);
+        glBindFramebuffer(stage::ACCUMULATION);
         depth unit 0: {
             enable depth test;
-            bindDepthBuffer(vtk::OPAQUE_DEPTH);
+            bindDepthBuffer(stage::OPAQUE_DEPTH);
             set depth func to LESS;
         }
         depth unit 1: {
@@ -54,8 +54,8 @@ pub const EVERY_FRAGMENT: Amendment = Amendment {
         glDisable(BLEND);
         composited = composited + samples(AT_THIS_DEPTH);
         num_layers = i + 1;
-        glBindFramebuffer(vtk::PEEL);
-        glUseProgram(vtk::PEEL_SURFACE);
+        glBindFramebuffer(stage::PEEL);
+        glUseProgram(stage::PEEL_SURFACE);
     },
     why: "a layer is every fragment at its depth, not one of them",
     test: "v3_coplanar_peeling_has_every_tie_in_the_order_of_submission",

@@ -9,8 +9,12 @@ mod requirements;
 pub use requirements::{ALPHA_BITS, REQUIRED_EXTENSIONS, missing_extensions};
 
 use crate::papers::everitt_2001::{self, COMPOSITE as BACK_TO_FRONT, LISTING_1};
+use crate::papers::stage::{
+    ACCUMULATION, CLEAR_ACCUMULATION, COMPOSITE, LAYER, OPAQUE_DEPTH, OPAQUE_FIRST, OVER_OPAQUE,
+    PEEL, PEEL_SURFACE,
+};
 use crate::steps;
-use crate::steps::{Amendment, Dialect, Listing, Map, Query, Shader, Target, gl::*};
+use crate::steps::{Amendment, Dialect, Listing, Map, Query, Shader, gl::*};
 
 /// Every layer is kept, then composited back to front ("Implementation notes").
 pub const KEEP_LAYERS: Listing = Listing {
@@ -36,29 +40,12 @@ pub const ON_THE_FLY: Listing = Listing {
     dialect: Dialect::Calls,
     steps: steps! {
         run OPAQUE_FIRST;
+        run CLEAR_ACCUMULATION;
         run BEFORE_PEELING;
         num_layers = 0;
         composited = 0;
-        run CLEAR_ACCUMULATION;
         run LISTING_1 amended by &[NO_CLEAR, CULL_BY_OPAQUE, QUERY, UNDER];
-        run ACCUMULATION_OVER_OPAQUE;
-    },
-};
-
-/// "As we first render opaque geometry, we use it to cull transparent geometry."
-pub const OPAQUE_FIRST: Listing = Listing {
-    title: "Opaque geometry, colour and depth",
-    source: "VTK, Implementation notes",
-    dialect: Dialect::Calls,
-    steps: steps! {
-        glBindFramebuffer(IMAGE);
-        glClearDepth(1.0);
-        glDepthMask(true);
-        glClear(COLOR_AND_DEPTH_BUFFER_BITS);
-        glEnable(DEPTH_TEST);
-        glDepthFunc(LESS);
-        glUseProgram(SURFACE);
-        drawOpaqueObjects();
+        run OVER_OPAQUE;
     },
 };
 
@@ -180,41 +167,11 @@ pub const UNDER: Amendment = Amendment {
     test: "v06_both_ways_of_compositing_give_the_same_image",
 };
 
-/// Before layers go under one another.
-pub const CLEAR_ACCUMULATION: Listing = Listing {
-    title: "Nothing composited yet",
-    source: "VTK, Implementation notes",
-    dialect: Dialect::Calls,
-    steps: steps! {
-        glBindFramebuffer(ACCUMULATION);
-        glClear(COLOR_BUFFER_BIT);
-        glBindFramebuffer(PEEL);
-    },
-};
-
-/// The end of compositing on the fly.
-pub const ACCUMULATION_OVER_OPAQUE: Listing = Listing {
-    title: "What was composited, over the opaque image",
-    source: "VTK, Implementation notes",
-    dialect: Dialect::Calls,
-    steps: steps! {
-        glBindFramebuffer(COMPOSITE);
-        glDisable(DEPTH_TEST);
-        glEnable(BLEND);
-        glBlendFunc(ONE, ONE_MINUS_SRC_ALPHA);
-        glUseProgram(everitt_2001::LAYER);
-        glActiveTexture(2);
-        glBindTexture(ACCUMULATED);
-        drawScreen();
-        glDisable(BLEND);
-    },
-};
-
 /// To [`everitt_2001::COMPOSITE`]: a layer does not cover every pixel, and those it covers are counted.
 pub const ONLY_THE_LAYER: Amendment = Amendment {
     key: "V06",
     place: "Putting It All Together, rendering each layer",
-    printed: steps! { glUseProgram(everitt_2001::LAYER); },
+    printed: steps! { glUseProgram(LAYER); },
     amended: steps! {
         glUseProgram(OVER);
         glActiveTexture(1);
@@ -244,25 +201,8 @@ pub const COUNT_THE_LAYER: Amendment = Amendment {
 
 /// The color buffer of the peels.
 pub const COLOR_BUFFER: Map = Map::named("color buffer");
-/// What the layers add up to, front to back, premultiplied.
-pub const ACCUMULATED: Map = Map::named("accumulated");
-/// Depth of the opaque geometry; 1 where there is none.
-pub const OPAQUE_DEPTH: Map = Map::named("opaque depth");
-/// The final image, with the opaque depth.
-pub const IMAGE: Target = Target("image");
-/// The final image alone, so that the opaque depth may be looked up while layers go into it.
-pub const COMPOSITE: Target = Target("composite");
-/// Where layers are peeled: the color buffer, and whichever depth buffer is unit 1's.
-pub const PEEL: Target = Target("peel");
-/// Where layers are accumulated front to back.
-pub const ACCUMULATION: Target = Target("accumulation");
-/// Draws a surface.
-pub const SURFACE: Shader = Shader("surface");
-
 const DEPTH_BUFFER_B: Map = Map::at("depth buffer", "B");
 const LAYER_DEPTH_I: Map = Map::at("layer depth", "i");
-/// Draws a surface behind what has been peeled.
-pub const PEEL_SURFACE: Shader = Shader("peel");
 const OVER: Shader = Shader("over");
 /// Puts a layer under those before it.
 pub const UNDER_LAYER: Shader = Shader("under");

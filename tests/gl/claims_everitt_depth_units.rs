@@ -6,7 +6,7 @@ use crate::kit::lists::Lists;
 use crate::kit::stack::Stack;
 use onionskin::gl::{CapturedFragment, Format, Geometry};
 use onionskin::image::Image;
-use onionskin::papers::vtk;
+use onionskin::papers::{stage, vtk};
 use onionskin::steps::{
     Call, Capability, Compare, DepthUnits, Machine, Map, Objects, Query, gl::*,
 };
@@ -145,11 +145,11 @@ fn survivors(context: &Context, depths: &Scene, drawn: &Scene, func: Compare) ->
         .allocate(vtk::COLOR_BUFFER, Format::Rgba32F)
         .unwrap();
     machine
-        .target(vtk::PEEL, Some(vtk::COLOR_BUFFER), Some(MAP))
+        .target(stage::PEEL, Some(vtk::COLOR_BUFFER), Some(MAP))
         .unwrap();
     for call in [
         Call::BindFramebuffer {
-            framebuffer: vtk::PEEL,
+            framebuffer: stage::PEEL,
         },
         Call::Clear {
             mask: COLOR_AND_DEPTH_BUFFER_BITS,
@@ -158,7 +158,7 @@ fn survivors(context: &Context, depths: &Scene, drawn: &Scene, func: Compare) ->
             cap: Capability::DepthTest,
         },
         Call::UseProgram {
-            program: vtk::SURFACE,
+            program: stage::SURFACE,
         },
         Call::Draw {
             objects: Objects::Scene,
@@ -172,7 +172,7 @@ fn survivors(context: &Context, depths: &Scene, drawn: &Scene, func: Compare) ->
     machine.set_geometry(Geometry::upload(context, drawn, drawn.size).unwrap());
     // Not attached while it is looked up.
     machine
-        .target(vtk::PEEL, Some(vtk::COLOR_BUFFER), None)
+        .target(stage::PEEL, Some(vtk::COLOR_BUFFER), None)
         .unwrap();
     let mut units = DepthUnits::new(&mut machine);
     for call in [
@@ -180,7 +180,7 @@ fn survivors(context: &Context, depths: &Scene, drawn: &Scene, func: Compare) ->
             mask: COLOR_BUFFER_BIT,
         },
         Call::UseProgram {
-            program: vtk::PEEL_SURFACE,
+            program: stage::PEEL_SURFACE,
         },
         Call::ActiveDepthUnit { unit: 0 },
         Call::BindDepthBuffer { buffer: MAP },

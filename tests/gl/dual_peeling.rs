@@ -289,13 +289,13 @@ const CHANGES: &[(&str, &[Amendment])] = &[
         &[changed(
             steps! {
                 glBlendFunci(0, ONE, ONE_MINUS_SRC_ALPHA);
-                glUseProgram(onionskin::papers::everitt_2001::LAYER);
+                glUseProgram(onionskin::papers::stage::LAYER);
                 glActiveTexture(2);
                 glBindTexture(onionskin::papers::bavoil_2008::FARTHEST);
             },
             steps! {
                 glBlendFunci(0, ONE_MINUS_DST_ALPHA, ONE);
-                glUseProgram(onionskin::papers::everitt_2001::LAYER);
+                glUseProgram(onionskin::papers::stage::LAYER);
                 glActiveTexture(2);
                 glBindTexture(onionskin::papers::bavoil_2008::FARTHEST);
             },

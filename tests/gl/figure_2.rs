@@ -8,7 +8,7 @@ use onionskin::emulator::{Emulator, Outcome::*};
 use onionskin::gl::{Geometry, GlMachine};
 use onionskin::papers::carr_2008::coherent::{self, LOOP_A};
 use onionskin::papers::carr_2008::{BOUND, D_SC, D_SN, DEPTH_BUFFER, Z_MIN_POST, Z_MIN_PREV};
-use onionskin::papers::vtk;
+use onionskin::papers::stage;
 use onionskin::steps;
 use onionskin::steps::{Call, Dialect, Format, Listing, Machine, Variables, gl::*, run};
 
@@ -63,7 +63,7 @@ fn c07_to_c10_figure_2_on_opengl() {
         color_bound: 0.0,
         compared: 0,
     };
-    run(&vtk::OPAQUE_FIRST, &[], Variables::new(), &mut both).unwrap();
+    run(&stage::OPAQUE_FIRST, &[], Variables::new(), &mut both).unwrap();
     let amendments: Vec<_> = coherent::AMENDMENTS
         .into_iter()
         .filter(|amendment| amendment.key != "X9" && amendment.key != "X11")

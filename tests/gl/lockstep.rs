@@ -9,7 +9,7 @@ use onionskin::emulator::{Emulator, Kind, Surface};
 use onionskin::gl::{Geometry, GlMachine};
 use onionskin::papers::carr_2008::hybrid::{Z_PEEL, Z_PEEL_NEXT};
 use onionskin::papers::carr_2008::{D_SC, D_SN, DEPTH_BUFFER, Z_MIN_POST, Z_MIN_PREV};
-use onionskin::papers::vtk::ACCUMULATED;
+use onionskin::papers::stage::ACCUMULATED;
 use onionskin::scene::Mesh;
 use onionskin::steps;
 use onionskin::steps::{Amendment, Call, Format, Machine, Query, gl::*};
@@ -308,14 +308,14 @@ fn stencil_operations_agree_one_by_one() {
         };
         const COUNTED: Query = Query("counted");
         for step in steps! {
-            glBindFramebuffer(onionskin::papers::carr_2008::PEEL);
+            glBindFramebuffer(onionskin::papers::stage::PEEL);
             glClearStencil(253);
             glClear(DEPTH_AND_STENCIL_BUFFER_BITS);
             glEnable(DEPTH_TEST);
             glEnable(STENCIL_TEST);
             glStencilFunc(NOTEQUAL, 1, 0xFF);
             glStencilMask(0x7F);
-            glUseProgram(onionskin::papers::vtk::SURFACE);
+            glUseProgram(onionskin::papers::stage::SURFACE);
         } {
             let onionskin::steps::Step::Call(call) = step else {
                 unreachable!("there are only calls")

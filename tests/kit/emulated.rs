@@ -5,7 +5,7 @@ use onionskin::fragment::{Fragment, Rgba, Source};
 use onionskin::image::Image;
 use onionskin::methods::{ABufferOptions, Frame, Manager, RecordColor};
 use onionskin::oracle::volumes::Ray;
-use onionskin::papers::vtk;
+use onionskin::papers::stage;
 use onionskin::scene::{Medium, Mesh, Volume};
 use onionskin::steps::pseudo::Algorithm;
 use onionskin::steps::pseudo::list::Line;
@@ -28,13 +28,13 @@ pub struct Pixels<'s> {
 impl<'s> Pixels<'s> {
     pub fn of(context: &Context, scene: &'s Scene) -> Self {
         let mut gl = machine(context, scene);
-        run(&vtk::OPAQUE_FIRST, &[], Variables::new(), &mut gl).unwrap();
+        run(&stage::OPAQUE_FIRST, &[], Variables::new(), &mut gl).unwrap();
         let mut opaque = scene.clone().with_volumes(Vec::new());
         opaque.meshes.retain(|mesh: &Mesh| mesh.opaque);
         Self {
             scene,
             surfaces: Lists::of(context, scene),
-            opaque_depths: gl.read_depths(vtk::OPAQUE_DEPTH).unwrap(),
+            opaque_depths: gl.read_depths(stage::OPAQUE_DEPTH).unwrap(),
             behind: render(context, &opaque, &Method::Exact).image,
         }
     }

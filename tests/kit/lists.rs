@@ -1,7 +1,7 @@
 //! Every pixel's fragments, nearest first: captured from GL, sorted here.
 
 use onionskin::gl::{CapturedFragment, Context, Format, Geometry, GlMachine, capture};
-use onionskin::papers::vtk;
+use onionskin::papers::stage;
 use onionskin::steps::{Map, Variables, run};
 use onionskin::{Result, Scene};
 
@@ -60,20 +60,20 @@ impl Lists {
 /// Every fragment before the opaque surfaces, unordered, with at most `limit` in GL's memory at a time.
 pub fn captured(context: &Context, scene: &Scene, limit: u32) -> Result<Vec<CapturedFragment>> {
     let mut machine = machine(context, scene);
-    run(&vtk::OPAQUE_FIRST, &[], Variables::new(), &mut machine)?;
-    capture(&mut machine, vtk::OPAQUE_DEPTH, limit)
+    run(&stage::OPAQUE_FIRST, &[], Variables::new(), &mut machine)?;
+    capture(&mut machine, stage::OPAQUE_DEPTH, limit)
 }
 
-/// A machine that is ready to draw the scene into the target [`vtk::IMAGE`].
+/// A machine that is ready to draw the scene into the target [`stage::IMAGE`].
 pub fn machine<'c>(context: &'c Context, scene: &Scene) -> GlMachine<'c> {
     const IMAGE: Map = Map::named("image");
     let mut machine = GlMachine::new(context, scene.size).unwrap();
     machine.allocate(IMAGE, Format::Rgba32F).unwrap();
     machine
-        .allocate(vtk::OPAQUE_DEPTH, Format::Depth32FStencil8)
+        .allocate(stage::OPAQUE_DEPTH, Format::Depth32FStencil8)
         .unwrap();
     machine
-        .target(vtk::IMAGE, Some(IMAGE), Some(vtk::OPAQUE_DEPTH))
+        .target(stage::IMAGE, Some(IMAGE), Some(stage::OPAQUE_DEPTH))
         .unwrap();
     machine.set_geometry(Geometry::upload(context, scene, scene.size).unwrap());
     machine.begin_frame();

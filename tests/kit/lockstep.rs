@@ -4,7 +4,7 @@
 use onionskin::emulator::{Emulator, Kind, Surface};
 use onionskin::fragment::Fragment;
 use onionskin::gl::{GlMachine, capture};
-use onionskin::papers::vtk;
+use onionskin::papers::stage;
 use onionskin::steps::{Call, Format, Machine, Map, Query, Target, Variables, gl::*, run};
 use onionskin::{Result, Scene};
 
@@ -131,11 +131,11 @@ fn raw(format: Format, depth: f32) -> f32 {
 /// Every surface of every pixel of the scene that the machine has, bottom row first: the transparent fragments as OpenGL
 /// makes them, whatever lies before them, and the opaque surface that OpenGL keeps.
 ///
-/// The machine must have the maps of [`vtk::OPAQUE_FIRST`] and GL's initial state; its state is left anywhere.
+/// The machine must have the maps of [`stage::OPAQUE_FIRST`] and GL's initial state; its state is left anywhere.
 pub fn surfaces(gl: &mut GlMachine<'_>, scene: &Scene, image: Map) -> Vec<Vec<Surface>> {
     const NOTHING: Map = Map::named("nothing");
-    run(&vtk::OPAQUE_FIRST, &[], Variables::new(), gl).unwrap();
-    let opaque_depths = gl.read_depths(vtk::OPAQUE_DEPTH).unwrap();
+    run(&stage::OPAQUE_FIRST, &[], Variables::new(), gl).unwrap();
+    let opaque_depths = gl.read_depths(stage::OPAQUE_DEPTH).unwrap();
     let opaque_colors = gl.read_colors(image).unwrap();
     gl.allocate(NOTHING, Format::Depth32FStencil8).unwrap();
     let target = Target("nothing");

@@ -4,7 +4,7 @@ use onionskin::emulator::{AlgorithmRun, Emulator, Kind, Surface, run_algorithm};
 use onionskin::fragment::{Fragment, Rgba};
 use onionskin::oracle;
 use onionskin::papers::carr_2008::{coherent, hybrid, ideal};
-use onionskin::papers::vtk;
+use onionskin::papers::stage;
 use onionskin::steps::pseudo::Line;
 use onionskin::steps::{
     Amendment, Format, Listing, Machine, Map, Outcome, Variables, Workspace, run,
@@ -59,11 +59,13 @@ impl Loop {
     /// Gives a machine everything that the listing draws into.
     pub fn furnish(self, workspace: &mut impl Workspace, color: Format, depth: Format) {
         workspace.allocate(IMAGE, color).unwrap();
-        workspace.allocate(vtk::OPAQUE_DEPTH, depth).unwrap();
+        workspace.allocate(stage::OPAQUE_DEPTH, depth).unwrap();
         workspace
-            .target_of(vtk::IMAGE, &[IMAGE], Some(vtk::OPAQUE_DEPTH))
+            .target_of(stage::IMAGE, &[IMAGE], Some(stage::OPAQUE_DEPTH))
             .unwrap();
-        workspace.target_of(vtk::COMPOSITE, &[IMAGE], None).unwrap();
+        workspace
+            .target_of(stage::COMPOSITE, &[IMAGE], None)
+            .unwrap();
         match self {
             Self::LayerPeeling | Self::Hybrid => hybrid::furnish(workspace, color, depth).unwrap(),
             Self::A => coherent::furnish(workspace, color, depth, None).unwrap(),

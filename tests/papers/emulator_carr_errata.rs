@@ -213,7 +213,7 @@ fn x14_blending_left_on_does_no_harm_where_maps_are_depths() {
     // The prototype read its maps from colors. Here they are copies of the depth buffer, and colors are masked.
     const LEFT_ON: Amendment = Amendment {
         amended: steps! {
-            glBindFramebuffer(onionskin::papers::carr_2008::PEEL);
+            glBindFramebuffer(onionskin::papers::stage::PEEL);
             glColorMask(false, false, false, false);
         },
         ..CLEAN_STATE

@@ -2,8 +2,8 @@
 //! anywhere or nowhere, is composited as the oracle lists it, ties included.
 
 use onionskin::emulator::Emulator;
+use onionskin::papers::stage;
 use onionskin::papers::vasilakis_2013::{COPLANAR_PEELING, DEPTH_BUFFERS};
-use onionskin::papers::vtk;
 use onionskin::steps;
 use onionskin::steps::{Amendment, DepthUnits, Format, Reason, Variables, Workspace, gl::*, run};
 
@@ -36,19 +36,19 @@ fn cases() -> Vec<Pixel> {
 fn peel(pixels: &[Pixel], amendments: &[Amendment]) -> (usize, f64, Option<Reason>) {
     let mut emulator = Emulator::new(pixels.to_vec());
     let (color, depth) = (Format::Rgba32F, Format::Depth32FStencil8);
-    for map in [IMAGE, vtk::ACCUMULATED] {
+    for map in [IMAGE, stage::ACCUMULATED] {
         emulator.allocate(map, color).unwrap();
     }
-    for map in [vtk::OPAQUE_DEPTH, DEPTH_BUFFERS[0], DEPTH_BUFFERS[1]] {
+    for map in [stage::OPAQUE_DEPTH, DEPTH_BUFFERS[0], DEPTH_BUFFERS[1]] {
         emulator.allocate(map, depth).unwrap();
     }
     for (target, colors, depth) in [
-        (vtk::IMAGE, &[IMAGE][..], Some(vtk::OPAQUE_DEPTH)),
-        (vtk::COMPOSITE, &[IMAGE], None),
-        (vtk::PEEL, &[], Some(DEPTH_BUFFERS[0])),
+        (stage::IMAGE, &[IMAGE][..], Some(stage::OPAQUE_DEPTH)),
+        (stage::COMPOSITE, &[IMAGE], None),
+        (stage::PEEL, &[], Some(DEPTH_BUFFERS[0])),
         (
-            vtk::ACCUMULATION,
-            &[vtk::ACCUMULATED],
+            stage::ACCUMULATION,
+            &[stage::ACCUMULATED],
             Some(DEPTH_BUFFERS[0]),
         ),
     ] {
@@ -85,8 +85,8 @@ fn v3_a_changed_word_would_be_noticed() {
         (
             "the opaque depth not looked up",
             &[changed(
-                steps! { bindDepthBuffer(vtk::OPAQUE_DEPTH); set depth func to LESS; },
-                steps! { bindDepthBuffer(vtk::OPAQUE_DEPTH); set depth func to ALWAYS; },
+                steps! { bindDepthBuffer(stage::OPAQUE_DEPTH); set depth func to LESS; },
+                steps! { bindDepthBuffer(stage::OPAQUE_DEPTH); set depth func to ALWAYS; },
             )],
         ),
         (

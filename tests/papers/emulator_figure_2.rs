@@ -6,7 +6,7 @@ use onionskin::papers::carr_2008::coherent::{
     self, CLEAN_STATE, COMPOSITE_HALF_OPEN, LOOP_A, NO_TESTS, RUN_HALF_OPEN,
 };
 use onionskin::papers::carr_2008::{D_SN, Z_MIN_POST, Z_MIN_PREV};
-use onionskin::papers::vtk;
+use onionskin::papers::stage;
 use onionskin::steps;
 use onionskin::steps::{Amendment, Format, Variables, gl::*, run};
 
@@ -29,7 +29,7 @@ const FIGURE_2: [f32; 11] = {
 fn figure_2(amendments: &[Amendment]) -> Vec<Draw> {
     let mut emulator = Emulator::new(vec![pixel(FIGURE_2)]).watching(0);
     Loop::A.furnish(&mut emulator, Format::Rgba32F, Format::Depth32FStencil8);
-    run(&vtk::OPAQUE_FIRST, &[], Variables::new(), &mut emulator).unwrap();
+    run(&stage::OPAQUE_FIRST, &[], Variables::new(), &mut emulator).unwrap();
     coherent::begin_batch(&mut emulator, FIGURE_2[4], 1.0).unwrap();
     let variables = Variables::new().with("iteration_limit", 1.0);
     let draws_before = emulator.record().draws.len();

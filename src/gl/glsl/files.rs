@@ -17,7 +17,6 @@ pub(super) const FILES: &[(&str, &str)] = files! {
     "a_buffer/list.glsl"
     "a_buffer/local_array.glsl"
     "a_buffer/offset.glsl"
-    "a_buffer/one.frag"
     "a_buffer/pixel.glsl"
     "a_buffer/place.glsl"
     "a_buffer/pool.glsl"

@@ -5,6 +5,7 @@ use super::options::{Fill, Manager};
 use super::{ABuffer, paper};
 use crate::error::Result;
 use crate::gl::{GlMachine, Texels};
+use crate::papers::stage;
 use crate::steps::Storage;
 
 /// Buffers that a listing binds whether the manager has them or not.
@@ -31,7 +32,7 @@ impl ABuffer {
             machine.bind_texels(4, paper::NEXT)?;
         }
         if options.has_offsets() {
-            machine.prefix_scan(paper::COMPLEXITY, paper::OFFSETS)?;
+            machine.prefix_scan(stage::COMPLEXITY, paper::OFFSETS)?;
         }
         Ok(())
     }

@@ -30,12 +30,11 @@ use array_sort::inserts;
 use bands::deepest;
 use options::SMALLEST_SEGMENT;
 
-use super::renderer::IMAGE;
 use super::{Algorithm, Composited, Drawn};
 use crate::error::{Error, Result};
 use crate::gl::{Format, GlMachine, Texels, largest_storage};
 use crate::papers::lindholm_2015 as paper;
-use crate::papers::vtk;
+use crate::papers::stage;
 use crate::scene::Scene;
 use crate::steps::{Amendment, Machine, Reason, Variables, run};
 
@@ -169,10 +168,10 @@ impl Algorithm for ABuffer {
                 false => Fill::Atomics,
             };
         }
-        machine.allocate(paper::COMPLEXITY, Format::R32F)?;
+        machine.allocate(stage::COMPLEXITY, Format::R32F)?;
         machine.allocate(paper::COUNTER, Format::R32Ui)?;
         machine.allocate(paper::ANCHOR, Format::R32Ui)?;
-        let depth = vtk::OPAQUE_DEPTH;
+        let depth = stage::OPAQUE_DEPTH;
         // What is attached costs time, written or not.
         let [cleared, inouts]: [&[_]; 2] = match (self.ordered(machine), self.options.manager) {
             (true, _) => [&[paper::COUNTER], &[paper::COUNTER]],
@@ -182,14 +181,18 @@ impl Algorithm for ABuffer {
         machine.target_of(paper::CLEARED, cleared, Some(depth))?;
         machine.target_of(paper::FILL, inouts, Some(depth))?;
         if !self.counts_costs {
-            return machine.target_of(paper::RESOLVED, &[IMAGE], Some(depth));
+            return machine.target_of(paper::RESOLVED, &[stage::IMAGE_COLOR], Some(depth));
         }
         machine.allocate(paper::COST, Format::Rgba32Ui)?;
-        machine.target_of(paper::RESOLVED, &[IMAGE, paper::COST], Some(depth))
+        machine.target_of(
+            paper::RESOLVED,
+            &[stage::IMAGE_COLOR, paper::COST],
+            Some(depth),
+        )
     }
 
     fn draw(&mut self, machine: &mut GlMachine<'_>, scene: &Scene) -> Result<Drawn> {
-        run(&vtk::OPAQUE_FIRST, &[], Variables::new(), machine)?;
+        run(&stage::OPAQUE_FIRST, &[], Variables::new(), machine)?;
         let proxies = fused(scene);
         if machine.has_inverse_w() {
             // The Fill Step's shaders look it up.
@@ -265,7 +268,7 @@ impl Algorithm for ABuffer {
 /// # Errors
 /// The depth format has none.
 pub(super) fn expect_stencil(machine: &GlMachine<'_>) -> Result<()> {
-    let format = machine.format(vtk::OPAQUE_DEPTH)?;
+    let format = machine.format(stage::OPAQUE_DEPTH)?;
     if format.has_stencil() {
         return Ok(());
     }
@@ -290,20 +293,20 @@ pub(super) const fn fused(scene: &Scene) -> &'static [Amendment] {
 impl ABuffer {
     /// Every pixel's complexity, by the stencil buffer where that is enough: it is quicker, but a prefix scan reads colours.
     fn count(&self, machine: &mut GlMachine<'_>, proxies: &[Amendment]) -> Result<Vec<u32>> {
-        let depth = Some(vtk::OPAQUE_DEPTH);
-        if !self.options.has_offsets() && machine.format(vtk::OPAQUE_DEPTH)?.has_stencil() {
-            machine.target_of(paper::COUNT, &[], depth)?;
+        let depth = Some(stage::OPAQUE_DEPTH);
+        if !self.options.has_offsets() && machine.format(stage::OPAQUE_DEPTH)?.has_stencil() {
+            machine.target_of(stage::COUNTED, &[], depth)?;
             let variables = Variables::new();
             run(&paper::COUNT_BY_STENCIL, proxies, variables, machine)?;
-            let counts = machine.read_counts(vtk::OPAQUE_DEPTH)?;
+            let counts = machine.read_counts(stage::OPAQUE_DEPTH)?;
             if deepest(&counts) <= STENCIL_COUNTS {
                 return Ok(counts);
             }
         }
-        machine.target_of(paper::COUNT, &[paper::COMPLEXITY], depth)?;
+        machine.target_of(stage::COUNTED, &[stage::COMPLEXITY], depth)?;
         let variables = Variables::new();
-        run(&paper::COUNT_BY_BLENDING, proxies, variables, machine)?;
-        machine.read_counts(paper::COMPLEXITY)
+        run(&stage::COUNT_AT_EACH_PIXEL, proxies, variables, machine)?;
+        machine.read_counts(stage::COMPLEXITY)
     }
 
     /// `proxies` amends the Fill Step if there are volumes.

@@ -20,7 +20,9 @@ pub use amendments::*;
 use super::passes::{PASS_1, PASS_2, PASS_3, PASS_4, SECTION_6};
 use super::*;
 use crate::error::Result;
-use crate::papers::vtk::{ACCUMULATED, ACCUMULATION, OPAQUE_DEPTH, OPAQUE_FIRST};
+use crate::papers::stage::{
+    ACCUMULATED, ACCUMULATION, CLEAR_ACCUMULATION, OPAQUE_DEPTH, OPAQUE_FIRST, OVER_OPAQUE, PEEL,
+};
 use crate::steps::{Call, Format, Machine, Variables, Workspace, run};
 
 /// Section 5: six geometry passes an iteration.

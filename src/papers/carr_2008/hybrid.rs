@@ -5,7 +5,9 @@
 
 use super::*;
 use crate::error::Result;
-use crate::papers::vtk::{ACCUMULATED, ACCUMULATION, OPAQUE_DEPTH, OPAQUE_FIRST};
+use crate::papers::stage::{
+    ACCUMULATED, ACCUMULATION, CLEAR_ACCUMULATION, OPAQUE_DEPTH, OPAQUE_FIRST, OVER_OPAQUE, PEEL,
+};
 use crate::pseudo;
 use crate::steps::pseudo::{Algorithm, Line};
 use crate::steps::{Amendment, Format, Workspace};

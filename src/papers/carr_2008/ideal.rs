@@ -6,7 +6,7 @@
 
 use super::*;
 use crate::error::Result;
-use crate::papers::vtk::{OPAQUE_DEPTH, OPAQUE_FIRST};
+use crate::papers::stage::{ACCUMULATED, OPAQUE_DEPTH, OPAQUE_FIRST, OVER_OPAQUE, PEEL};
 use crate::pseudo;
 use crate::steps::pseudo::{Algorithm, Line};
 use crate::steps::{Amendment, Format, Workspace};

@@ -22,8 +22,6 @@ pub mod passes;
 use crate::steps;
 use crate::steps::{Dialect, Listing, Map, Query, Shader, Target, gl::*};
 
-use super::vtk::ACCUMULATED;
-
 /// The depth up to which everything has been composited.
 pub const D_SC: Map = Map::named("D(sc)");
 /// The depth of the first surface behind it.
@@ -35,8 +33,6 @@ pub const Z_MIN_POST: Map = Map::named("z_min_post");
 /// The depth and stencil buffer that the passes work in.
 pub const DEPTH_BUFFER: Map = Map::named("depth buffer");
 
-/// The depth buffer with what has been composited so far.
-pub const PEEL: Target = Target("peel");
 /// `D(sc)`, to be written.
 pub const BOUND: Target = Target("D(sc)");
 
@@ -56,18 +52,6 @@ pub const AT_BOUND_AS_PRINTED: Shader = Shader("clip/at_bound_as_printed");
 /// Surfaces that a compositing pass has put into the image.
 pub const COMPOSITED: Query = Query("composited");
 
-/// Nothing is composited yet. The image starts transparent: the paper's white clears are for depths.
-pub const CLEAR_ACCUMULATION: Listing = Listing {
-    title: "Nothing composited yet",
-    source: "Carr et al. 2008, section 5.1",
-    dialect: Dialect::Calls,
-    steps: steps! {
-        glBindFramebuffer(super::vtk::ACCUMULATION);
-        glClearColor(0.0, 0.0, 0.0, 0.0);
-        glClear(COLOR_BUFFER_BIT);
-    },
-};
-
 /// What front-to-back compositing is on OpenGL: each surface goes under those before it. The colours are premultiplied.
 pub const UNDER: Listing = Listing {
     title: "A standard compositing pass, front to back",
@@ -76,25 +60,5 @@ pub const UNDER: Listing = Listing {
     steps: steps! {
         glEnable(BLEND);
         glBlendFuncSeparate(ONE_MINUS_DST_ALPHA, ONE, ONE_MINUS_DST_ALPHA, ONE);
-    },
-};
-
-/// What was composited, over the opaque geometry's image.
-pub const OVER_OPAQUE: Listing = Listing {
-    title: "What was composited, over the opaque image",
-    source: "Carr et al. 2008, section 5.2",
-    dialect: Dialect::Calls,
-    steps: steps! {
-        glBindFramebuffer(super::vtk::COMPOSITE);
-        glDisable(DEPTH_TEST);
-        glDisable(STENCIL_TEST);
-        glColorMask(true, true, true, true);
-        glEnable(BLEND);
-        glBlendFunc(ONE, ONE_MINUS_SRC_ALPHA);
-        glUseProgram(super::everitt_2001::LAYER);
-        glActiveTexture(2);
-        glBindTexture(ACCUMULATED);
-        drawScreen();
-        glDisable(BLEND);
     },
 };

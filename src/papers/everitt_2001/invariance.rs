@@ -3,7 +3,7 @@
 //! The listing that runs sets the variables `quotient`, `in_shader`, `steps` and `bias`, which the shaders of
 //! `glsl/invariance/` describe.
 
-use crate::papers::vtk;
+use crate::papers::stage;
 use crate::steps;
 use crate::steps::{Amendment, Map, Shader, Step};
 
@@ -25,7 +25,7 @@ const fn program(amended: &'static [Step]) -> Amendment {
     Amendment {
         key: "E06",
         place: "Listing 1, render scene",
-        printed: steps! { glUseProgram(vtk::PEEL_SURFACE); },
+        printed: steps! { glUseProgram(stage::PEEL_SURFACE); },
         amended,
         why: "what is stored and what is compared can be chosen",
         test: "e06_comparing_r_over_q_with_the_rasterisers_depth_mis_peels",
