@@ -1,6 +1,6 @@
 //! The vocabulary's enums as GL's constants.
 
-use crate::steps::{BlendFactor, Buffers, Capability, Compare, StencilOp};
+use crate::steps::{BlendEquation, BlendFactor, Buffers, Capability, Compare, StencilOp};
 
 /// GL's name for an error.
 pub(super) fn error_name(error: u32) -> &'static str {
@@ -58,6 +58,14 @@ pub(super) const fn stencil_op(op: StencilOp) -> u32 {
         StencilOp::Decr => glow::DECR,
         StencilOp::DecrWrap => glow::DECR_WRAP,
         StencilOp::Invert => glow::INVERT,
+    }
+}
+
+/// How a blend combines source and destination.
+pub(super) const fn blend_equation(mode: BlendEquation) -> u32 {
+    match mode {
+        BlendEquation::FuncAdd => glow::FUNC_ADD,
+        BlendEquation::Max => glow::MAX,
     }
 }
 

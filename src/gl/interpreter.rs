@@ -4,7 +4,9 @@ use std::collections::hash_map::Entry;
 
 use glow::HasContext;
 
-use super::constants::{blend_factor, capability, clear_bits, compare, error_name, stencil_op};
+use super::constants::{
+    blend_equation, blend_factor, capability, clear_bits, compare, error_name, stencil_op,
+};
 use super::framebuffers::depth_attachment;
 use super::geometry::Geometry;
 use super::machine::GlMachine;
@@ -12,7 +14,7 @@ use super::making::named;
 use super::program::{Linked, ProgramKey};
 use super::texture::internal;
 use crate::error::{Error, Result};
-use crate::steps::{Call, Index, Machine, Map, Objects, Query, Shader};
+use crate::steps::{Call, Machine, Map, Objects, Query, Shader};
 
 impl Machine for GlMachine<'_> {
     /// In debug builds the step's text names a debug group around it, and OpenGL's errors are asked for after it.
@@ -287,14 +289,23 @@ impl GlMachine<'_> {
                 }
                 Call::UseProgram { program } => self.use_program(program, None)?,
                 Call::UseProgramOfSize { program, size } => {
-                    self.use_program(program, Some(("N", number(size))))?;
+                    self.use_program(program, Some(("N", size.known()?)))?;
                 }
                 Call::StencilReference {
                     func,
                     reference,
                     mask,
                 } => {
-                    gl.stencil_func(compare(func), number(reference) as i32, mask);
+                    gl.stencil_func(compare(func), reference.known()?, mask);
+                }
+                Call::BlendEquationi { buf, mode } => {
+                    gl.blend_equation_draw_buffer(buf, blend_equation(mode));
+                }
+                Call::BlendFunci { buf, src, dst } => {
+                    gl.blend_func_draw_buffer(buf, blend_factor(src), blend_factor(dst));
+                }
+                Call::ClearFloats { drawbuffer, value } => {
+                    gl.clear_buffer_f32_slice(glow::COLOR, drawbuffer, &value);
                 }
                 Call::ClearIntegers { drawbuffer } => {
                     gl.clear_buffer_u32_slice(glow::COLOR, drawbuffer, &[0; 4]);
@@ -350,19 +361,10 @@ impl GlMachine<'_> {
                 Call::CopyImage { from, to } => self.copy(from, to)?,
                 Call::Swap { a, b } => self.swap(a, b)?,
                 Call::Draw { objects } => self.draw(objects)?,
-                Call::Uniform { name, value } => self.set_uniform(name, value.unwrap_or(0.0)),
+                Call::Uniform { name, value } => self.set_uniform(name, value.known()?),
                 Call::Classic(ref call) => self.classic_call(call)?,
-                Call::DrawBuffer(ref call) => self.draw_buffer(call),
             }
         }
         Ok(())
-    }
-}
-
-/// A number that the walk has resolved.
-fn number(index: Index) -> u32 {
-    match index {
-        Index::Number(number) => number,
-        Index::Only | Index::Variable(_) => 1,
     }
 }

@@ -237,6 +237,17 @@ impl<'c> GlMachine<'c> {
         }
     }
 
+    /// Does something whose draws are not the method's: they are left out of [`counts`](Self::counts).
+    ///
+    /// # Errors
+    /// Those of `work`.
+    pub fn aside<T>(&mut self, work: impl FnOnce(&mut Self) -> Result<T>) -> Result<T> {
+        let counts = self.counts;
+        let result = work(self);
+        self.counts = counts;
+        result
+    }
+
     /// Waits until everything asked for has been done.
     pub fn finish(&self) {
         // SAFETY: the context is current.

@@ -10,7 +10,6 @@ mod capture;
 pub mod classic;
 mod constants;
 mod context;
-mod draw_buffers;
 mod driver;
 mod framebuffers;
 mod geometry;

@@ -10,9 +10,11 @@
 //! Depth unit 1 is the ordinary depth buffer. Surfaces that would be drawn with the program `peel` are drawn by the
 //! emulated fixed functions.
 
-use super::call::{Call, Capability, Query, Shader};
-use super::classic::{ClassicCall, ClassicCapability, TextureTarget};
+use super::call::{Call, ClassicCall};
+use super::classic::{ClassicCapability, TextureTarget};
+use super::constants::Capability;
 use super::depth_units::DepthUnits;
+use super::names::{Query, Shader};
 use super::walk::Machine;
 use crate::error::Result;
 

@@ -13,7 +13,9 @@
 //! The shader discards where the lookup answers 0; Everitt writes the answer into alpha and lets the alpha test
 //! discard, which is the same thing in the GL of his year.
 
-use super::call::{Buffers, Call, Capability, Compare, Query};
+use super::call::Call;
+use super::constants::{Buffers, Capability, Compare};
+use super::names::Query;
 use super::walk::Machine;
 use crate::error::{Error, Result};
 

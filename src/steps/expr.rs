@@ -3,7 +3,8 @@
 use std::collections::HashMap;
 use std::fmt;
 
-use super::call::{Compare, Query};
+use super::constants::Compare;
+use super::names::Query;
 
 /// A number that is computed while a listing runs.
 #[derive(Clone, Copy, Debug, PartialEq)]

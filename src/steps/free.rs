@@ -3,10 +3,10 @@
 use std::collections::BTreeSet;
 
 use super::amend::Amendment;
-use super::call::{Call, Index, Map};
-use super::classic::ClassicCall;
+use super::call::Call;
 use super::expr::{Condition, Expr};
 use super::listing::{Listing, Step};
+use super::names::Name;
 
 /// The names of the variables that a listing or one of its amendments reads and that nothing in it sets, in alphabetical
 /// order. What it reads only where an amendment stands instead is among them.
@@ -99,37 +99,10 @@ impl Found {
         }
     }
 
-    /// The same calls as [`run`](super::run) resolves.
     fn call(&mut self, call: &Call) {
-        match call {
-            Call::BindDepthBuffer { buffer: map }
-            | Call::BindTexture { texture: map }
-            | Call::BindImage { texture: map, .. }
-            | Call::AttachColor { texture: map }
-            | Call::AttachDepth { texture: map }
-            | Call::Classic(ClassicCall::BindTexture { texture: map, .. }) => self.map(*map),
-            Call::UseProgramOfSize { size: index, .. }
-            | Call::StencilReference {
-                reference: index, ..
-            } => self.index(*index),
-            Call::CopyImage { from, to }
-            | Call::Swap { a: from, b: to }
-            | Call::Classic(ClassicCall::CopyToRectangle { from, to }) => {
-                self.map(*from);
-                self.map(*to);
-            }
-            Call::Uniform { name, .. } => _ = self.read.insert(name),
-            _ => {}
-        }
-    }
-
-    fn map(&mut self, map: Map) {
-        self.index(map.index);
-    }
-
-    fn index(&mut self, index: Index) {
-        if let Index::Variable(name) = index {
-            self.read.insert(name);
-        }
+        self.read.extend(call.names().filter_map(|name| match name {
+            Name::Variable(name) => Some(name),
+            _ => None,
+        }));
     }
 }

@@ -38,41 +38,39 @@ macro_rules! steps_of {
 
     // Everitt's phrases.
     ([$($done:expr,)*] clear color buffer; $($rest:tt)*) => {
-        $crate::steps_of!([$($done,)* $crate::steps::gl::glClear($crate::steps::gl::COLOR_BUFFER_BIT),] $($rest)*)
+        $crate::steps_of!([$($done,)* $crate::steps::Step::Call($crate::steps::gl::glClear($crate::steps::gl::COLOR_BUFFER_BIT)),] $($rest)*)
     };
     ([$($done:expr,)*] clear depth buffer; $($rest:tt)*) => {
-        $crate::steps_of!([$($done,)* $crate::steps::gl::glClear($crate::steps::gl::DEPTH_BUFFER_BIT),] $($rest)*)
+        $crate::steps_of!([$($done,)* $crate::steps::Step::Call($crate::steps::gl::glClear($crate::steps::gl::DEPTH_BUFFER_BIT)),] $($rest)*)
     };
     ([$($done:expr,)*] enable depth test; $($rest:tt)*) => {
-        $crate::steps_of!([$($done,)* $crate::steps::gl::glEnable($crate::steps::gl::DEPTH_TEST),] $($rest)*)
+        $crate::steps_of!([$($done,)* $crate::steps::Step::Call($crate::steps::gl::glEnable($crate::steps::gl::DEPTH_TEST)),] $($rest)*)
     };
     ([$($done:expr,)*] disable depth test; $($rest:tt)*) => {
-        $crate::steps_of!([$($done,)* $crate::steps::gl::glDisable($crate::steps::gl::DEPTH_TEST),] $($rest)*)
+        $crate::steps_of!([$($done,)* $crate::steps::Step::Call($crate::steps::gl::glDisable($crate::steps::gl::DEPTH_TEST)),] $($rest)*)
     };
     ([$($done:expr,)*] enable depth writes; $($rest:tt)*) => {
-        $crate::steps_of!([$($done,)* $crate::steps::gl::glDepthMask(true),] $($rest)*)
+        $crate::steps_of!([$($done,)* $crate::steps::Step::Call($crate::steps::gl::glDepthMask(true)),] $($rest)*)
     };
     ([$($done:expr,)*] disable depth writes; $($rest:tt)*) => {
-        $crate::steps_of!([$($done,)* $crate::steps::gl::glDepthMask(false),] $($rest)*)
+        $crate::steps_of!([$($done,)* $crate::steps::Step::Call($crate::steps::gl::glDepthMask(false)),] $($rest)*)
     };
     ([$($done:expr,)*] set depth func to $func:ident; $($rest:tt)*) => {
-        $crate::steps_of!([$($done,)* $crate::steps::gl::glDepthFunc($crate::steps::gl::$func),] $($rest)*)
+        $crate::steps_of!([$($done,)* $crate::steps::Step::Call($crate::steps::gl::glDepthFunc($crate::steps::gl::$func)),] $($rest)*)
     };
     ([$($done:expr,)*] bind buffer $buffer:ident; $($rest:tt)*) => {
-        $crate::steps_of!([$($done,)* $crate::steps::Step::Call($crate::steps::Call::BindDepthBuffer {
-            buffer: $crate::steps::Map::at("depth buffer", stringify!($buffer)),
-        }),] $($rest)*)
+        $crate::steps_of!([$($done,)* $crate::steps::Step::Call($crate::steps::gl::bindDepthBuffer(
+            $crate::steps::Map::at("depth buffer", stringify!($buffer)),
+        )),] $($rest)*)
     };
     ([$($done:expr,)*] render scene; $($rest:tt)*) => {
-        $crate::steps_of!([$($done,)* $crate::steps::Step::Call($crate::steps::Call::Draw {
-            objects: $crate::steps::Objects::Scene,
-        }),] $($rest)*)
+        $crate::steps_of!([$($done,)* $crate::steps::Step::Call($crate::steps::gl::draw($crate::steps::Objects::Scene)),] $($rest)*)
     };
     ([$($done:expr,)*] save color buffer RGBA as layer $layer:ident; $($rest:tt)*) => {
-        $crate::steps_of!([$($done,)* $crate::steps::Step::Call($crate::steps::Call::CopyImage {
-            from: $crate::steps::Map::named("color buffer"),
-            to: $crate::steps::Map::at("layer", stringify!($layer)),
-        }),] $($rest)*)
+        $crate::steps_of!([$($done,)* $crate::steps::Step::Call($crate::steps::gl::glCopyImageSubData(
+            $crate::steps::Map::named("color buffer"),
+            $crate::steps::Map::at("layer", stringify!($layer)),
+        )),] $($rest)*)
     };
     ([$($done:expr,)*] depth unit $unit:literal: { $($body:tt)* } $($rest:tt)*) => {
         $crate::steps_of!([$($done,)* $crate::steps::Step::DepthUnit {
@@ -151,7 +149,7 @@ macro_rules! steps_of {
 
     // OpenGL's calls.
     ([$($done:expr,)*] $call:ident($($argument:expr),*); $($rest:tt)*) => {
-        $crate::steps_of!([$($done,)* $crate::steps::gl::$call($($argument),*),] $($rest)*)
+        $crate::steps_of!([$($done,)* $crate::steps::Step::Call($crate::steps::gl::$call($($argument),*)),] $($rest)*)
     };
 }
 

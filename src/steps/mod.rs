@@ -22,12 +22,13 @@
 //! by which. Listings themselves are never edited: [`run`] applies amendments as it walks.
 
 mod amend;
+mod argument;
 mod call;
 mod classic;
 mod classic_depth_units;
+mod constants;
 mod depth_units;
 mod diff;
-mod draw_buffer;
 mod expr;
 mod format;
 mod free;
@@ -35,28 +36,25 @@ pub mod gl;
 mod gl_classic;
 mod listing;
 mod macros;
+mod names;
 pub mod print;
 pub mod pseudo;
-mod signature;
 mod trace;
 mod walk;
 
 pub use amend::{Amendment, Statement};
-pub use call::{
-    BlendFactor, Buffers, Call, Capability, Compare, Index, Map, Objects, Query, Shader, StencilOp,
-    Storage, Target,
-};
+pub use call::{Call, ClassicCall};
 pub use classic::{
-    ClassicCall, ClassicCapability, DepthTextureMode, MatrixMode, TexEnvName, TexEnvValue,
-    TextureTarget,
+    ClassicCapability, DepthTextureMode, MatrixMode, TexEnvName, TexEnvValue, TextureTarget,
 };
 pub use classic_depth_units::ClassicDepthUnits;
+pub use constants::{BlendEquation, BlendFactor, Buffers, Capability, Compare, Objects, StencilOp};
 pub use depth_units::DepthUnits;
 pub use diff::diff;
-pub use draw_buffer::{BlendEquation, DrawBufferCall};
 pub use expr::{Condition, Expr, Variables};
 pub use format::Format;
 pub use free::free_variables;
 pub use listing::{Dialect, Listing, Reason, Step};
+pub use names::{Index, Map, Name, Number, Query, Shader, Storage, Target};
 pub use trace::Recorder;
 pub use walk::{Machine, Outcome, Workspace, run};

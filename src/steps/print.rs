@@ -3,10 +3,11 @@
 use std::fmt;
 
 use super::amend::{Amendment, Scope};
-use super::call::*;
+use super::call::{Call, ClassicCall};
+use super::constants::*;
 use super::expr::Condition;
 use super::listing::{Dialect, Listing, Step};
-use super::signature::{compare, signature};
+use super::names::{Index, Map};
 
 /// The listing as its paper prints it, with `amendments` in place; without any, as printed.
 pub fn listing(listing: &Listing, amendments: &[Amendment]) -> String {
@@ -149,7 +150,7 @@ impl Printer {
             Dialect::Source => source(call),
         };
         said.unwrap_or_else(|| {
-            let (name, arguments) = signature(call);
+            let (name, arguments) = call.signature();
             let values: Vec<_> = arguments
                 .into_iter()
                 .map(|(_, value)| value.replace("GL_", ""))
@@ -175,9 +176,26 @@ fn short_form(call: &Call) -> Option<String> {
 /// As C source with every `GL_` in place, for what Listing 2 has.
 fn source(call: &Call) -> Option<String> {
     match call {
-        Call::Classic(call) => Some(call.source()),
+        Call::Classic(ClassicCall::SetM { rows }) => Some(assignments(rows)),
+        Call::Classic(call) => {
+            let (name, arguments) = call.signature();
+            let values: Vec<_> = arguments.into_iter().map(|(_, value)| value).collect();
+            Some(format!("{name}({});", values.join(", ")))
+        }
         _ => None,
     }
+}
+
+/// Sixteen assignments, four to a line.
+fn assignments(rows: &[[f32; 4]; 4]) -> String {
+    let lines = rows.iter().enumerate().map(|(row, values)| {
+        let sets = values.iter().enumerate();
+        let sets: Vec<_> = sets
+            .map(|(column, value)| format!("m({row},{column}) = {value};"))
+            .collect();
+        sets.join("   ")
+    });
+    lines.collect::<Vec<_>>().join("\n")
 }
 
 /// How Everitt says it, if he does.
@@ -207,7 +225,7 @@ fn phrase(call: &Call) -> Option<String> {
         } => "disable depth test".into(),
         Call::DepthMask { flag: true } => "enable depth writes".into(),
         Call::DepthMask { flag: false } => "disable depth writes".into(),
-        Call::DepthFunc { func } => format!("set depth func to {}", compare(func)),
+        Call::DepthFunc { func } => format!("set depth func to {}", func.name()),
         Call::BindDepthBuffer {
             buffer:
                 Map {

@@ -13,7 +13,7 @@ pub mod list;
 use std::fmt;
 
 use super::amend::{Amendment, Statement};
-use super::call::{Compare, Objects};
+use super::constants::{Compare, Objects};
 
 /// An algorithm as its paper prints it, in statements that are [`Line`]s, or another paper's [`list::Line`]s.
 #[derive(Clone, Copy, Debug, PartialEq)]

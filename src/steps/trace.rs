@@ -2,7 +2,8 @@
 
 use std::collections::{HashMap, VecDeque};
 
-use super::call::{Call, Query};
+use super::call::Call;
+use super::names::Query;
 use super::walk::Machine;
 use crate::error::{Error, Result};
 

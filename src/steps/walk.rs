@@ -1,16 +1,16 @@
 //! Walking a listing: evaluates what is computed, resolves what is named, and hands the calls to a machine.
 
 use super::amend::{Amendment, Scope};
-use super::call::{Call, Index, Map, Query, Target};
-use super::classic::ClassicCall;
+use super::call::Call;
 use super::expr::{Condition, Expr, Variables};
 use super::format::Format;
 use super::listing::{Listing, Reason, Step};
+use super::names::{Map, Query, Target};
 use crate::error::{Error, Result};
 
 /// Something that performs calls.
 pub trait Machine {
-    /// Performs one call. Every [`Map`] in it is resolved: its index is not a variable.
+    /// Performs one call. It is resolved: no [`Map`] and no [`Number`](super::Number) in it is a variable.
     ///
     /// # Errors
     /// What the machine cannot do, with the call named.
@@ -109,7 +109,7 @@ impl<M: Machine> Walk<'_, M> {
     fn step(&mut self, step: &Step, scope: &Scope<'_>) -> Result<Flow> {
         match *step {
             Step::Call(call) => {
-                let call = self.resolve(call)?;
+                let call = call.resolved(&|name| self.variable(name))?;
                 self.machine.perform(&call)?;
             }
             Step::DepthUnit { unit, body } => {
@@ -209,45 +209,5 @@ impl<M: Machine> Walk<'_, M> {
                 "set it in the listing, or in the variables it is run with",
             )
         })
-    }
-
-    fn resolve(&self, mut call: Call) -> Result<Call> {
-        match &mut call {
-            Call::BindDepthBuffer { buffer: map }
-            | Call::BindTexture { texture: map }
-            | Call::BindImage { texture: map, .. }
-            | Call::AttachColor { texture: map }
-            | Call::AttachDepth { texture: map } => *map = self.resolve_map(*map)?,
-            Call::UseProgramOfSize { size: number, .. }
-            | Call::StencilReference {
-                reference: number, ..
-            } => {
-                if let Index::Variable(name) = *number {
-                    *number = Index::Number(self.variable(name)? as u32);
-                }
-            }
-            Call::CopyImage { from, to } | Call::Swap { a: from, b: to } => {
-                *from = self.resolve_map(*from)?;
-                *to = self.resolve_map(*to)?;
-            }
-            // A uniform is an f32.
-            Call::Uniform { name, value } => *value = Some(self.variable(name)? as f32),
-            Call::Classic(ClassicCall::BindTexture { texture, .. }) => {
-                *texture = self.resolve_map(*texture)?;
-            }
-            Call::Classic(ClassicCall::CopyToRectangle { from, to }) => {
-                *from = self.resolve_map(*from)?;
-                *to = self.resolve_map(*to)?;
-            }
-            _ => {}
-        }
-        Ok(call)
-    }
-
-    fn resolve_map(&self, map: Map) -> Result<Map> {
-        match map.index {
-            Index::Only | Index::Number(_) => Ok(map),
-            Index::Variable(name) => Ok(Map::numbered(map.name, self.variable(name)? as u32)),
-        }
     }
 }

@@ -1,0 +1,85 @@
+//! What a call's arguments have in common: how they print, and what they name.
+
+use super::names::Name;
+use crate::error::Result;
+
+/// The values of a listing's variables, at the time of a call.
+pub(super) type Values<'a> = &'a dyn Fn(&'static str) -> Result<f64>;
+
+/// A type that the table of calls may use for an argument.
+pub(super) trait Argument: Clone {
+    /// The argument as a trace prints it.
+    fn text(&self) -> String;
+
+    /// Adds what the argument names to `found`. Plain values name nothing.
+    fn names(&self, _found: &mut Vec<Name>) {}
+
+    /// The argument with its variables replaced by their values. Plain values have none.
+    ///
+    /// # Errors
+    /// Those of `values`.
+    fn resolved(&self, _values: Values<'_>) -> Result<Self> {
+        Ok(self.clone())
+    }
+}
+
+impl Argument for bool {
+    fn text(&self) -> String {
+        if *self { "GL_TRUE" } else { "GL_FALSE" }.into()
+    }
+}
+
+impl Argument for i32 {
+    fn text(&self) -> String {
+        self.to_string()
+    }
+}
+
+impl Argument for u8 {
+    fn text(&self) -> String {
+        self.to_string()
+    }
+}
+
+impl Argument for u32 {
+    fn text(&self) -> String {
+        self.to_string()
+    }
+}
+
+impl Argument for f32 {
+    fn text(&self) -> String {
+        format!("{self:?}")
+    }
+}
+
+impl Argument for f64 {
+    fn text(&self) -> String {
+        format!("{self:?}")
+    }
+}
+
+impl Argument for &'static str {
+    fn text(&self) -> String {
+        (*self).into()
+    }
+}
+
+impl Argument for String {
+    fn text(&self) -> String {
+        self.clone()
+    }
+}
+
+impl Argument for [f32; 4] {
+    fn text(&self) -> String {
+        let [r, g, b, a] = self;
+        format!("{{{r:?}, {g:?}, {b:?}, {a:?}}}")
+    }
+}
+
+impl Argument for [[f32; 4]; 4] {
+    fn text(&self) -> String {
+        format!("{self:?}")
+    }
+}
