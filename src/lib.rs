@@ -4,20 +4,8 @@
 //! state listings and pseudocode is here data that runs: on OpenGL (headless Mesa, no display, no GPU needed) and,
 //! step by step, on an emulated pixel.
 //!
-//! The house has floors, and a room imports only from floors below it (`tests/floors.rs` holds that):
-//!
-//! ```text
-//! 6  main.rs, cli/           one file per subcommand, thin
-//! 5  report/                 pictures, plots and tables of what was counted
-//! 4  methods/                one file per published method
-//! 3  gl/ | emulator/         two machines that run steps: OpenGL, with all unsafe code, and one emulated pixel
-//!    oracle                  sort and composite in f64; knows neither steps nor GL
-//! 2  papers/                 the listings, their amendments, the claims. Pure data
-//! 1  steps/                  the vocabulary: GL calls, passes, loops, queries; printing; diffing
-//!    scene/                  meshes, volumes, cameras, importers, generators. No GL
-//! 0  fragment, image, error  plain types
-//!    memory                  how much of it may be taken
-//! ```
+//! What running the papers has shown is in [`findings`]. The README has a plan of the modules: each imports only from
+//! modules on lower floors.
 
 // Tests inside of the crate use the scenes of the tests outside.
 #[cfg(test)]
@@ -25,6 +13,8 @@ extern crate self as onionskin;
 
 pub mod emulator;
 pub mod error;
+#[doc = include_str!("findings.md")]
+pub mod findings {}
 pub mod fragment;
 pub mod gl;
 pub mod image;
@@ -42,3 +32,7 @@ pub use image::Image;
 pub use memory::MemoryLimit;
 pub use methods::{Frame, Method, Renderer};
 pub use scene::Scene;
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

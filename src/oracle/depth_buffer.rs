@@ -120,7 +120,7 @@ mod tests {
         }
     }
 
-    /// README has these numbers, in metres.
+    /// The findings have these numbers, in metres.
     #[test]
     fn a_depth_buffer_tells_apart_centimetres_micrometres_or_tenths_of_millimetres() {
         let given = buffer(0.1, 1000.0);

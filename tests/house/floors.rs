@@ -5,35 +5,41 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Every room with its floor.
-const FLOORS: [(&str, u32); 14] = [
-    ("error", 0),
-    ("fragment", 0),
-    ("memory", 1),
-    ("image", 2),
-    ("steps", 3),
-    ("scene", 3),
-    ("papers", 4),
-    ("oracle", 5),
-    ("emulator", 5),
-    ("gl", 5),
-    ("methods", 6),
-    ("report", 7),
-    ("cli", 8),
-    ("main", 9),
-];
+/// Every room with its floor, as the README's plan has them: a floor's number stands before its first room.
+fn floors() -> Vec<(String, u32)> {
+    let readme = include_str!("../../README.md");
+    let (_, house) = readme.split_once("## The house").unwrap();
+    let plan = house
+        .split("```")
+        .nth(1)
+        .unwrap()
+        .trim_start_matches("text");
+    let mut floor = 0;
+    let rooms = plan.lines().filter(|line| !line.is_empty()).map(|line| {
+        let (number, room) = line.split_at(3);
+        floor = number.trim().parse().unwrap_or(floor);
+        let name = room.split_whitespace().next().unwrap();
+        (name.trim_end_matches('/').to_owned(), floor)
+    });
+    rooms.collect()
+}
 
 #[test]
 fn every_room_imports_only_from_floors_below() {
+    let floors = floors();
+    let floor = |room: &str| {
+        let found = floors.iter().find(|(name, _)| name == room);
+        found.map(|(_, floor)| *floor)
+    };
     let mut rooms = BTreeSet::new();
     let mut wrong = Vec::new();
     for file in sources(&root()) {
         let room = room_of(&file);
-        let floor = floor(&room).unwrap_or_else(|| panic!("{room} has no floor"));
+        let its_floor = floor(&room).unwrap_or_else(|| panic!("{room} has no floor"));
         for imported in imports(&fs::read_to_string(&file).unwrap()) {
-            if imported != room && self::floor(&imported).is_some_and(|other| other >= floor) {
+            if imported != room && floor(&imported).is_some_and(|other| other >= its_floor) {
                 wrong.push(format!(
-                    "{}: {room} (floor {floor}) imports {imported}",
+                    "{}: {room} (floor {its_floor}) imports {imported}",
                     file.display()
                 ));
             }
@@ -41,7 +47,7 @@ fn every_room_imports_only_from_floors_below() {
         rooms.insert(room);
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
-    let known: BTreeSet<_> = FLOORS.iter().map(|(room, _)| (*room).to_owned()).collect();
+    let known: BTreeSet<_> = floors.iter().map(|(room, _)| room.clone()).collect();
     assert_eq!(
         rooms, known,
         "every room has a floor and every floor its rooms"
@@ -106,13 +112,6 @@ fn room_of(file: &Path) -> String {
         .to_str()
         .unwrap()
         .to_owned()
-}
-
-fn floor(room: &str) -> Option<u32> {
-    FLOORS
-        .iter()
-        .find(|(name, _)| *name == room)
-        .map(|(_, floor)| *floor)
 }
 
 /// The rooms that a source names after `crate::` or `onionskin::`. The crate's root re-exports some types; they count
