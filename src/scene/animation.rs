@@ -1,4 +1,4 @@
-//! A scene in time: a camera path, and what is shown when.
+//! A scene in time: a camera path, and which meshes and volumes are shown in which frames.
 
 use std::ops::Range;
 use std::path::Path;
@@ -18,38 +18,39 @@ pub struct Animation {
     pub scene: Scene,
     /// Where the camera goes.
     pub path: CameraPath,
-    /// Whether the scene file has a path; if not, `path` is the default.
+    /// Whether the scene file has a path. If it has none, `path` is the default.
     pub has_path: bool,
     pub(super) wish: PartialCamera,
     pub(super) shows: Shows,
 }
 
-/// What is shown when. A show has names, and what has a name is kept once: many of both take no more than their sum.
+/// Which meshes and volumes are shown in which frames. A show is a list of names. The sources of a name are stored
+/// once, so that many shows of many names take no more memory than their sum.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Shows {
-    /// What has one name, for each of the names.
+    /// The meshes and volumes of each name.
     pub(super) named: Vec<Named>,
-    /// In the order of the frames. Before the first one everything is shown.
+    /// The shows, in the order of their frames. Before the first show everything is shown.
     pub(super) shows: Vec<Show>,
 }
 
-/// What has one name.
+/// The meshes and volumes of one name.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Named {
     pub(super) meshes: Vec<Range<usize>>,
     pub(super) volumes: Vec<Range<usize>>,
 }
 
-/// From this frame on what has these names is shown, and nothing else.
+/// From this frame on, the meshes and volumes with these names are shown, and nothing else.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Show {
     pub(super) from: u32,
-    /// Places in [`Shows::named`], in their order, none twice.
+    /// Places in [`Shows::named`], in ascending order, without repetition.
     pub(super) names: Vec<usize>,
 }
 
 impl Shows {
-    /// What is shown in a frame, in the scene's order; nothing is said of frames in which everything is.
+    /// The meshes and volumes that a frame shows, in the scene's order, or `None` if the frame shows everything.
     fn at(&self, frame: u32) -> Option<Named> {
         let begun = self.shows.partition_point(|show| show.from <= frame);
         let show = &self.shows[begun.checked_sub(1)?];
@@ -63,7 +64,8 @@ impl Shows {
 }
 
 impl Animation {
-    /// Reads a scene file with its `[path]`. A scene file or a model without one turns once in [`CameraPath::default`].
+    /// Reads a scene file with its `[path]`. A scene file or a model without a path turns once, as in
+    /// [`CameraPath::default`].
     ///
     /// # Errors
     /// As [`Scene::load`].
@@ -79,7 +81,7 @@ impl Animation {
         Self::load_with(path, &size.into())
     }
 
-    /// Reads the same by options.
+    /// Reads the same with options.
     ///
     /// # Errors
     /// As [`Scene::load_with`].
@@ -127,7 +129,7 @@ impl Animation {
             ..*whole
         };
         let first = self.scene.camera;
-        // Clip planes that the file leaves open follow the eye.
+        // Clip planes that the file does not give follow the eye.
         let moved = PartialCamera {
             eye: Some(self.path.eye(&first, frame)),
             target: Some(first.target),
@@ -141,7 +143,7 @@ impl Animation {
         Ok(scene)
     }
 
-    /// A checksum of everything that the frames depend on, but for how they are rendered.
+    /// A checksum of everything that the frames depend on, except how they are rendered.
     pub fn fingerprint(&self) -> u32 {
         let scene = &self.scene;
         let mut crc = Crc::new();

@@ -12,7 +12,7 @@ pub struct Bounds {
 }
 
 impl Bounds {
-    /// The box of some points; `None` if there are none.
+    /// The box of some points, or `None` if there is no point.
     pub fn of(points: impl IntoIterator<Item = DVec3>) -> Option<Self> {
         points
             .into_iter()

@@ -8,11 +8,11 @@ use crate::error::{Error, Result};
 /// A perspective camera. All lengths are in the scene's units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
-    /// Where it stands.
+    /// The eye's position.
     pub eye: DVec3,
-    /// What it looks at.
+    /// The point that the camera looks at.
     pub target: DVec3,
-    /// What is up; need not be perpendicular to the view direction.
+    /// The direction that is up in the image. It need not be perpendicular to the view direction.
     pub up: DVec3,
     /// Vertical field of view in degrees, between 0 and 180.
     pub fov: f64,
@@ -34,11 +34,11 @@ impl Camera {
         proj::opengl::perspective(self.fov.to_radians(), aspect, self.near, self.far)
     }
 
-    /// Whether it can look at anything at all.
+    /// Checks that the camera can see anything at all.
     ///
     /// # Errors
-    /// Something is not finite, the eye is at the target, `up` is zero or along the view direction, or `fov`, `near`
-    /// or `far` are out of their ranges.
+    /// A number is not finite, the eye is at the target, `up` is zero or along the view direction, or `fov`, `near` or
+    /// `far` is out of its range.
     pub fn check(&self) -> Result<()> {
         match self.fault() {
             None => Ok(()),
@@ -49,7 +49,7 @@ impl Camera {
         }
     }
 
-    /// The first thing that is wrong, with the key of a scene file that puts it right.
+    /// The first fault, with the key of a scene file that corrects it.
     pub(super) fn fault(&self) -> Option<Fault> {
         let vectors = [("eye", self.eye), ("target", self.target), ("up", self.up)];
         for (key, vector) in vectors {
@@ -77,7 +77,8 @@ impl Camera {
                 "Move one of the two, or leave one out to have it fitted.",
             );
         };
-        // Nearer than this to the view direction, `up` is lost in the 32-bit matrices that a renderer makes of it.
+        // If `up` is nearer to the view direction than this, the 32-bit matrices of a renderer cannot tell the two
+        // apart.
         const SMALLEST_SINE: f64 = 1e-6;
         let sine = self
             .up
@@ -96,9 +97,9 @@ impl Camera {
 
 /// What is wrong with a camera.
 pub(super) struct Fault {
-    /// The key of a scene file that puts it right.
+    /// The key of a scene file that corrects it.
     pub(super) key: &'static str,
-    /// Starts with the key's name.
+    /// What is wrong, as a sentence that starts with the key's name.
     pub(super) what: String,
     /// What to do.
     pub(super) remedy: &'static str,

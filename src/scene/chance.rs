@@ -1,12 +1,12 @@
-//! Numbers from a seed, the same ones for ever.
+//! Random numbers from a seed. A seed gives the same numbers for ever.
 //!
-//! PCG-XSH-RR 64/32 is fixed by its definition. How its words become numbers is written out here, because a library
-//! may change its way of doing that from one version to the next, and with it every picture made from a seed.
+//! PCG-XSH-RR 64/32 is fixed by its definition. How its words become numbers is written out here. A library may change
+//! this from one version to the next, and then every picture that was made from a seed would change.
 
 use rand::Rng;
 use rand_pcg::Pcg32;
 
-/// A sequence of numbers that a seed decides.
+/// A sequence of random numbers, given by a seed.
 pub(super) struct Chance(Pcg32);
 
 impl Chance {
@@ -15,20 +15,20 @@ impl Chance {
         Self(Pcg32::new(seed, STREAM))
     }
 
-    /// From 0 up to and without 1, in steps of 2^-24: each is exact in an f32.
+    /// A number from 0 to 1, 1 excluded, in steps of 2^-24, so that each is exact in an f32.
     pub(super) fn unit(&mut self) -> f32 {
         (self.0.next_u32() >> 8) as f32 / (1 << 24) as f32
     }
 
-    /// From `low` up to `high`.
+    /// A number from `low` to `high`.
     pub(super) fn between(&mut self, low: f32, high: f32) -> f32 {
         // Rounding may lead past the end by one unit in the last place.
         (low + (high - low) * self.unit()).clamp(low, high)
     }
 
-    /// A whole number less than `count`, each as likely; `count` must not be 0.
+    /// A whole number less than `count`, each with the same probability. `count` must not be 0.
     fn below(&mut self, count: u32) -> u32 {
-        // The words at the end that would favour the small numbers are thrown away.
+        // The last words would make small numbers more likely, so they are thrown away.
         let fair = u32::MAX - u32::MAX % count;
         loop {
             let word = self.0.next_u32();
@@ -38,7 +38,7 @@ impl Chance {
         }
     }
 
-    /// Puts the items into an order of its own, each order as likely.
+    /// Shuffles the items. Every order has the same probability.
     pub(super) fn shuffle<T>(&mut self, items: &mut [T]) {
         for i in (1..items.len()).rev() {
             let count = u32::try_from(i + 1).expect("no list here has more than u32::MAX items");

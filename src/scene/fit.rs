@@ -1,26 +1,26 @@
-//! Fitting a camera to what there is to see.
+//! Fitting a camera to the scene's bounds.
 
 use glam::DVec3;
 
 use super::bounds::Bounds;
 use super::camera::Camera;
 
-/// What is known of a camera; the rest is fitted. The default knows nothing.
+/// The parts of a camera that are given. The others are fitted, all of them by default:
 ///
 /// - `target`: the middle of the bounds.
 /// - `up`: y, or z for an eye straight above or below the target.
-/// - `eye`: a three-quarter view from above, just far enough off to see all of the bounds.
+/// - `eye`: a three-quarter view from above, just far enough away to see all of the bounds.
 /// - `fov`: 30 degrees, or with a given `eye` just wide enough to see all of the bounds, at most 120 degrees.
 /// - `near` and `far`: close around the bounds; if the eye is inside them, `near` is a thousandth of `far`.
 ///
 /// An empty scene is seen as if it held a cube from -1 to 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PartialCamera {
-    /// Where it stands.
+    /// The eye's position.
     pub eye: Option<DVec3>,
-    /// What it looks at.
+    /// The point that the camera looks at.
     pub target: Option<DVec3>,
-    /// What is up.
+    /// The direction that is up in the image.
     pub up: Option<DVec3>,
     /// Vertical field of view in degrees.
     pub fov: Option<f64>,
@@ -30,17 +30,17 @@ pub struct PartialCamera {
     pub far: Option<f64>,
 }
 
-/// The part of the half image that a fitted object fills at most.
+/// The largest part of half the image that a fitted object fills.
 const FILLED: f64 = 0.95;
-/// The field of view that is not asked for, in degrees: [`PartialCamera::fov`].
+/// The default of [`PartialCamera::fov`], in degrees.
 const FOV: f64 = 30.0;
-/// The widest field of view that is fitted, in degrees: beyond, perspective looks absurd.
+/// The widest field of view that is fitted, in degrees. With a wider one, perspective looks absurd.
 const WIDEST: f64 = 120.0;
-/// The margin of the clip planes, as a part of the depth that they enclose and of the distance.
+/// The margin of the clip planes, as a part of the depth between them and of their distance.
 const MARGIN: f64 = 0.01;
 
 impl PartialCamera {
-    /// The whole camera for an image of `size` pixels. It may still be impossible if what was given is: [`Camera::check`].
+    /// The whole camera for an image of `size` pixels. It is impossible if the given parts are: see [`Camera::check`].
     pub fn fit(&self, bounds: Option<Bounds>, size: [u32; 2]) -> Camera {
         let bounds = bounds.unwrap_or(Bounds {
             min: DVec3::NEG_ONE,
@@ -81,7 +81,7 @@ impl PartialCamera {
     fn fitted_up(&self, target: DVec3) -> DVec3 {
         let direction = self.eye.map(|eye| (target - eye).normalize_or_zero());
         match direction {
-            // Within some two degrees of the vertical, y is no help to keep the picture upright.
+            // Within some two degrees of the vertical, y does not tell which way is up.
             Some(direction) if direction.y.abs() > 0.999 => DVec3::Z,
             _ => DVec3::Y,
         }
@@ -94,7 +94,7 @@ impl PartialCamera {
         let far = if farthest > 0.0 {
             farthest + pad
         } else {
-            // All of it is behind the eye: any range will do.
+            // All of the scene is behind the eye, so any range will do.
             (target - eye).length() * 10.0
         };
         let near = if nearest > 0.0 {
@@ -112,9 +112,9 @@ impl PartialCamera {
 }
 
 impl Camera {
-    /// The same camera with its near and far plane moved together until they are close around `bounds`: nothing more is
-    /// cut off of what is in them, and a depth buffer holds finer differences. The planes stay where they are if nothing of
-    /// the bounds is between them, and the near one if the eye is among the bounds.
+    /// The same camera with its near and far plane moved close around `bounds`. They cut off nothing more of what is in
+    /// the bounds, and a depth buffer holds finer differences. Both planes stay where they are if no part of the bounds
+    /// is between them. The near plane stays where it is if the eye is inside the bounds.
     #[must_use]
     pub fn close_around(self, bounds: Bounds) -> Self {
         let direction = (self.target - self.eye).normalize_or(DVec3::NEG_Z);
@@ -130,7 +130,7 @@ impl Camera {
     }
 }
 
-/// The nearest and the farthest that a box reaches along a direction.
+/// The least and the greatest distance that a box reaches along a direction.
 fn depths(bounds: &Bounds, eye: DVec3, direction: DVec3) -> [f64; 2] {
     let depths = bounds.corners().map(|corner| (corner - eye).dot(direction));
     [
@@ -139,16 +139,16 @@ fn depths(bounds: &Bounds, eye: DVec3, direction: DVec3) -> [f64; 2] {
     ]
 }
 
-/// How far outside of what they enclose clip planes stand.
+/// The distance of a clip plane from the bounds that it encloses.
 fn padding(nearest: f64, farthest: f64) -> f64 {
     MARGIN * (farthest - nearest) + MARGIN * farthest.abs()
 }
 
-/// A view's own axes, in the world.
+/// The axes of a view, in world space.
 struct Axes {
     right: DVec3,
     up: DVec3,
-    /// From the target to the eye.
+    /// The direction from the target to the eye.
     back: DVec3,
 }
 
@@ -167,7 +167,7 @@ impl Axes {
     }
 }
 
-/// A three-quarter view: from the front, somewhat from the right, somewhat from above.
+/// The direction of a three-quarter view: from the front, a little from the right, a little from above.
 fn fitted_eye(bounds: &Bounds, target: DVec3, up: DVec3, fov: f64, aspect: f64) -> DVec3 {
     let up = up.normalize_or(DVec3::Y);
     let right = (DVec3::X - up * up.x)
@@ -182,7 +182,7 @@ fn fitted_eye(bounds: &Bounds, target: DVec3, up: DVec3, fov: f64, aspect: f64) 
         seen.dot(axes.back) + half / tangent
     });
     let distance = needed.into_iter().fold(0.0, f64::max);
-    // A single point has no size to go by. The second term keeps the eye off the target where 1 is lost in rounding.
+    // A single point has no size. The second term keeps the eye away from the target where 1 is lost in rounding.
     let distance = if distance > 0.0 {
         distance
     } else {

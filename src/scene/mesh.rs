@@ -1,4 +1,4 @@
-//! Triangles, ready to be submitted in their order.
+//! Meshes: triangles in their order of submission.
 
 use glam::{DVec3, Vec3};
 
@@ -7,56 +7,61 @@ use super::chance::Chance;
 use super::normals;
 use crate::fragment::Rgba;
 
-/// A corner.
+/// A corner of a triangle.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Vertex {
-    /// World space, finite. In f64, because maps and building plans have coordinates of millions of metres, and because
-    /// the oracle decides by it what lies in front; a driver gets 32 bits of its place in the scene.
+    /// Position in world space, finite. It is f64, because maps and building plans have coordinates of millions of
+    /// metres, and because the oracle decides by it which surface lies in front. A driver gets the position relative to
+    /// the scene, in 32 bits.
     pub position: DVec3,
-    /// World space, unit length; points to the outside.
+    /// Normal in world space, of unit length, towards the outside.
     pub normal: Vec3,
-    /// Of the outside, straight alpha.
+    /// Colour of the outside, with straight alpha.
     pub color: Rgba,
 }
 
-/// How a colour comes from a vertex's colour.
+/// How a fragment gets its colour from the vertices' colours.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Shading {
-    /// The colour as it is.
+    /// The vertices' colour as it is.
     #[default]
     None,
-    /// Lit from the eye, one normal per triangle.
+    /// Light from the eye, with one normal per triangle.
     Flat,
-    /// Lit from the eye, normals interpolated.
+    /// Light from the eye, with interpolated normals.
     Lit,
-    /// Lit, the outside in its own colour and the inside in [`Mesh::inside`].
+    /// As `Lit`. The outside has the vertices' colour, the inside has [`Mesh::inside`].
     TwoSided,
-    /// What the scene's volumes have at the place, as opaque as the slab that the slice stands for; clear outside of all
-    /// of them. Of the slices that the renderer makes of volumes, not of a scene file.
+    /// The colour of the scene's volumes at the fragment's place, as opaque as the slab that the slice stands for.
+    /// Outside of all volumes the fragment is clear. The renderer uses this for slices of volumes; no scene file can
+    /// name it.
     Slice,
 }
 
 /// A list of triangles.
 #[derive(Clone, Debug, Default)]
 pub struct Mesh {
-    /// Name for messages.
+    /// Name, for messages.
     pub name: String,
     /// Corners.
     pub vertices: Vec<Vertex>,
-    /// Three corners each, counter-clockwise seen from outside; in the order of submission.
+    /// The three corners of each triangle, counter-clockwise as seen from outside. Triangles are in the order of
+    /// submission.
     pub triangles: Vec<[u32; 3]>,
-    /// How it is shaded.
+    /// The shading.
     pub shading: Shading,
     /// Linear RGB of back faces under [`Shading::TwoSided`]; their opacity is the vertices'.
     pub inside: [f32; 3],
-    /// Drawn first, with depth writes: every vertex has alpha 1 (and the scene file does not say otherwise).
+    /// Whether the mesh is drawn first, with depth writes. This is so if every vertex has alpha 1 and the scene file
+    /// does not say otherwise.
     pub opaque: bool,
-    /// Its triangles, taken in order of their depth along the view direction, are exactly sorted (slices, sprites).
+    /// Whether the triangles, ordered by their depth along the view direction, are sorted exactly, as slices and
+    /// sprites are.
     pub sorted: bool,
 }
 
 impl Mesh {
-    /// Unlit triangles; opaque if every vertex is, the inside coloured like the first vertex.
+    /// A mesh of unlit triangles. It is opaque if every vertex is. The inside has the colour of the first vertex.
     pub fn new(name: impl Into<String>, vertices: Vec<Vertex>, triangles: Vec<[u32; 3]>) -> Self {
         let first = vertices.first().map_or(Rgba::default(), |v| v.color);
         Self {
@@ -69,27 +74,27 @@ impl Mesh {
         }
     }
 
-    /// How much memory its vertices and triangles take, in bytes.
+    /// The memory that the vertices and triangles take, in bytes.
     pub fn bytes(&self) -> u64 {
         bytes(self.vertices.len() as u64, self.triangles.len() as u64)
     }
 
-    /// How many triangles it has.
+    /// The number of triangles.
     pub fn triangle_count(&self) -> usize {
         self.triangles.len()
     }
 
-    /// The box of its vertices; `None` if there are none.
+    /// The bounding box of the vertices, or `None` if there is no vertex.
     pub fn bounds(&self) -> Option<Bounds> {
         Bounds::of(self.vertices.iter().map(|v| v.position))
     }
 
-    /// The three corners of one triangle, which must be there.
+    /// The three corners of a triangle. It must exist.
     pub fn corners(&self, triangle: usize) -> [Vertex; 3] {
         self.triangles[triangle].map(|corner| self.vertices[corner as usize])
     }
 
-    /// The same in one colour and opacity, inside and outside.
+    /// The same mesh in one colour and opacity, inside and outside.
     #[must_use]
     pub fn painted(mut self, color: Rgba) -> Self {
         for vertex in &mut self.vertices {
@@ -100,8 +105,8 @@ impl Mesh {
         self
     }
 
-    /// The same triangles in the same order, each with three vertices of its own that have the triangle's normal: what
-    /// [`Shading::Flat`] needs. A triangle without area gets +z.
+    /// The same triangles in the same order, each with three vertices of its own, which have the triangle's normal.
+    /// [`Shading::Flat`] needs this. A triangle without area gets +z.
     #[must_use]
     pub fn with_face_normals(&self) -> Self {
         let corners = (0..self.triangles.len()).flat_map(|triangle| {
@@ -120,7 +125,8 @@ impl Mesh {
         }
     }
 
-    /// The same with its triangles submitted in another order, which the seed decides. Nothing else changes.
+    /// The same mesh with its triangles in another order of submission, which depends on the seed. Nothing else
+    /// changes.
     #[must_use]
     pub fn shuffled(&self, seed: u64) -> Self {
         let mut mesh = self.clone();
@@ -128,7 +134,7 @@ impl Mesh {
         mesh
     }
 
-    /// Takes out the triangles that cover nothing and says how many they were.
+    /// Removes the triangles that cover nothing, and returns their number.
     pub(super) fn drop_degenerate(&mut self) -> usize {
         let before = self.triangles.len();
         let vertices = &self.vertices;
@@ -139,13 +145,13 @@ impl Mesh {
     }
 }
 
-/// How much memory so many take, in bytes.
+/// The memory that so many vertices and triangles take, in bytes.
 pub(super) fn bytes(vertices: u64, triangles: u64) -> u64 {
     let of_vertices = vertices.saturating_mul(size_of::<Vertex>() as u64);
     of_vertices.saturating_add(triangles.saturating_mul(size_of::<[u32; 3]>() as u64))
 }
 
-/// Whether nothing shines through any of the vertices.
+/// Whether every vertex is opaque.
 fn is_opaque(vertices: &[Vertex]) -> bool {
     vertices.iter().all(|vertex| vertex.color.a == 1.0)
 }

@@ -1,8 +1,8 @@
-//! What is to be rendered: meshes, volumes, a camera, a background. No GL.
+//! Scenes: meshes, volumes, a camera, a background. No GL.
 //!
-//! A scene comes from a TOML scene file ([`Scene::load`]), from a bare model file, or from code.
-//! Everything is resolved when it is loaded: the camera is fitted, colours and opacities are per vertex, polygons are
-//! triangles, normals are there. What had to be repaired or left out on the way is said in [`Scene::notices`].
+//! A scene comes from a TOML scene file ([`Scene::load`]), from a bare model file, or from code. Everything is resolved
+//! when the scene is loaded: the camera is fitted, colours and opacities belong to vertices, polygons are triangles,
+//! and every vertex has a normal. [`Scene::notices`] says what was repaired or left out.
 
 mod animation;
 mod bounds;
@@ -35,18 +35,18 @@ pub use volume::{MAX_SAMPLES, Medium, Transfer, TransferPoint, Volume};
 use crate::error::{Error, Place, Result};
 use crate::memory::MemoryLimit;
 
-/// What loading goes by.
+/// Options for loading a scene.
 #[derive(Clone, Debug, Default)]
 pub struct LoadOptions {
-    /// Width and height of the image in pixels, instead of the file's. What is fitted of the camera is fitted to them.
+    /// Width and height of the image in pixels, instead of the file's. The camera is fitted to this size.
     pub size: Option<[u32; 2]>,
-    /// How much memory the scene may take. What would take more is refused before it is allocated. The default is what
-    /// the machine has left.
+    /// The memory that the scene may take. A scene that would take more is refused before its memory is allocated. The
+    /// default is the memory that the machine has left.
     pub memory: MemoryLimit,
 }
 
 impl From<Option<[u32; 2]>> for LoadOptions {
-    /// For images of this size, if there is one.
+    /// The default options, for images of this size, or of the file's size if `None`.
     fn from(size: Option<[u32; 2]>) -> Self {
         Self {
             size,
@@ -55,41 +55,41 @@ impl From<Option<[u32; 2]>> for LoadOptions {
     }
 }
 
-/// Everything an image depends on.
+/// Everything that an image depends on.
 #[derive(Clone, Debug)]
 pub struct Scene {
-    /// Name for reports: the file's stem or the generator's name.
+    /// Name, for reports: the file's stem or the generator's name.
     pub name: String,
     /// Width and height of the image in pixels.
     pub size: [u32; 2],
-    /// Linear RGB, opaque.
+    /// Background colour, linear RGB, opaque.
     pub background: [f32; 3],
-    /// From where it is seen.
+    /// The camera.
     pub camera: Camera,
-    /// In the order of submission, which decides between coplanar surfaces.
+    /// Meshes in the order of submission, which decides between coplanar surfaces.
     pub meshes: Vec<Mesh>,
-    /// In no particular order: where they overlap they are sampled together.
+    /// Volumes, in any order. Where volumes overlap, they are sampled together.
     pub volumes: Vec<Volume>,
-    /// What was repaired, skipped or assumed while loading, a sentence each, for the user.
+    /// What was repaired, skipped or assumed while loading: one sentence each, for the user.
     pub notices: Vec<String>,
 }
 
 impl Scene {
-    /// The size of an image that nobody asked for another size.
+    /// The image size, unless the caller asks for another.
     pub const DEFAULT_SIZE: [u32; 2] = [1024, 768];
 
     /// Reads a scene file (`.toml`) or a bare model (`.obj`, shaded [`Shading::Lit`] and seen by a fitted camera).
     ///
     /// # Errors
-    /// [`Error::Input`] with the file, and as far as known the line and the token, for everything that is wrong with it
-    /// or with a file it names: it is not there, too large ([`MAX_BYTES`]), not text, truncated; a key is unknown, a
-    /// value of the wrong type or out of range; a face names a vertex that is not there, or a model has none to draw.
+    /// [`Error::Input`] for everything that is wrong with the file or with a file that it names. It has the file and,
+    /// as far as they are known, the line and the token. A file may be missing, too large ([`MAX_BYTES`]), not text, or
+    /// truncated. A key may be unknown, a value may have the wrong type or be out of range. A face may name a vertex
+    /// that does not exist, or a model may have no face to draw.
     pub fn load(path: impl AsRef<Path>) -> Result<Self> {
         Self::load_at(path, None)
     }
 
-    /// Reads the same, for an image of another size than the file asks for. What is fitted of the camera is fitted to
-    /// that size.
+    /// Reads the same for an image of another size than the file asks for. The camera is fitted to this size.
     ///
     /// # Errors
     /// As [`Scene::load`].
@@ -97,10 +97,10 @@ impl Scene {
         Self::load_with(path, &size.into())
     }
 
-    /// Reads the same by options.
+    /// Reads the same with options.
     ///
     /// # Errors
-    /// As [`Scene::load`]; or it takes more memory than the options allow.
+    /// As [`Scene::load`], and if the scene takes more memory than the options allow.
     pub fn load_with(path: impl AsRef<Path>, options: &LoadOptions) -> Result<Self> {
         let path = path.as_ref();
         let extension = path.extension().unwrap_or_default().to_ascii_lowercase();
@@ -115,7 +115,7 @@ impl Scene {
         }
     }
 
-    /// Meshes in front of black, seen by a fitted camera.
+    /// A scene of meshes in front of black, with a fitted camera.
     pub fn of(name: impl Into<String>, meshes: Vec<Mesh>) -> Self {
         Self::of_size(name, meshes, Self::DEFAULT_SIZE)
     }
@@ -132,19 +132,19 @@ impl Scene {
         }
     }
 
-    /// The same scene with volumes, too, the camera as it is.
+    /// The same scene with volumes added. The camera does not change.
     #[must_use]
     pub fn with_volumes(mut self, volumes: Vec<Volume>) -> Self {
         self.volumes = volumes;
         self
     }
 
-    /// The box of all vertices of all meshes and all corners of all volumes; `None` if there are none.
+    /// The bounding box of all vertices of all meshes and all corners of all volumes, or `None` if the scene is empty.
     pub fn bounds(&self) -> Option<Bounds> {
         joined(&self.meshes, &self.volumes)
     }
 
-    /// How many triangles there are in all.
+    /// The number of triangles of all meshes.
     pub fn triangle_count(&self) -> usize {
         self.meshes.iter().map(Mesh::triangle_count).sum()
     }

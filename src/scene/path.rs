@@ -1,4 +1,4 @@
-//! Where the camera is in each frame of an animation.
+//! The camera in each frame of an animation.
 
 use std::f64::consts::TAU;
 
@@ -6,17 +6,19 @@ use glam::{DQuat, DVec3};
 
 use super::camera::Camera;
 
-/// A camera's way around its target. Frame 0 is the scene's own camera.
+/// The path of a camera around its target. In frame 0 the camera is the scene's.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CameraPath {
-    /// How many frames there are, 1 to 1,000,000.
+    /// The number of frames, 1 to 1,000,000.
     pub frames: u32,
-    /// How far the eye turns about the axis through the target along `up`, in degrees, over all frames. Frame `frames`,
-    /// the first one that is no more there, would have turned by all of it, so a full turn has no frame twice.
+    /// The angle in degrees by which the eye turns over all frames, about the axis along `up` through the target. The
+    /// turn would be complete in frame `frames`, which is the first one after the end, so a full turn shows no view
+    /// twice.
     pub rotate: f64,
-    /// The distance from the target at the dolly's other end, as a part of frame 0's; greater than 0. 1 is no dolly.
+    /// The distance from the target at the dolly's other end, as a part of the distance in frame 0, greater than 0. 1
+    /// means no dolly.
     pub dolly: f64,
-    /// In how many frames the dolly goes there and back, 2 or more.
+    /// The number of frames in which the dolly goes there and back, 2 or more.
     pub dolly_frames: u32,
 }
 
@@ -33,7 +35,7 @@ impl Default for CameraPath {
 }
 
 impl CameraPath {
-    /// Where the eye of this camera is in a frame.
+    /// The position of this camera's eye in a frame.
     pub fn eye(&self, camera: &Camera, frame: u32) -> DVec3 {
         let turned = self.rotate.to_radians() * f64::from(frame) / f64::from(self.frames);
         let axis = camera.up.normalize_or(DVec3::Y);

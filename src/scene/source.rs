@@ -1,4 +1,4 @@
-//! A file that a person named: read once, whole, and never more than [`MAX_BYTES`] of it.
+//! Reading a file that a person named: once, whole, and never more than [`MAX_BYTES`] of it.
 
 use std::fs::{self, File};
 use std::io::{ErrorKind, Read};
@@ -7,20 +7,20 @@ use std::path::Path;
 use crate::error::{Error, Place, Result, with_slashes};
 use crate::memory::MemoryLimit;
 
-/// The largest file that is read: 2 GiB, some thirty million triangles of OBJ. A larger one is refused by its size,
+/// The largest file that is read: 2 GiB, some thirty million triangles of OBJ. A larger file is refused by its size,
 /// before a byte of it is read.
 pub const MAX_BYTES: u64 = 2 << 30;
 
-/// How much is looked at before the rest is read: enough to tell a picture or an archive from a text.
+/// The number of bytes that are examined before the rest is read: enough to tell a picture or an archive from a text.
 const HEAD: u64 = 4096;
 
-/// The file's bytes, which look like text (there is no NUL in its head).
+/// The bytes of a text file: one without a NUL in its first bytes.
 pub(super) fn read(path: &Path, memory: &MemoryLimit) -> Result<Vec<u8>> {
     expect_readable(path, memory)?;
     read_text(path).map_err(|error| unreadable(path, &error))?
 }
 
-/// The file's bytes, whatever they are.
+/// The bytes of any file.
 pub(super) fn read_bytes(path: &Path, memory: &MemoryLimit) -> Result<Vec<u8>> {
     expect_readable(path, memory)?;
     let read = || -> std::io::Result<Vec<u8>> {
@@ -57,7 +57,7 @@ fn expect_readable(path: &Path, memory: &MemoryLimit) -> Result<()> {
     room.map_err(|shortage| shortage.at(Place::file(path), bytes))
 }
 
-/// The outer error is the system's, the inner one ours.
+/// The outer error comes from the system, the inner one from here.
 fn read_text(path: &Path) -> std::io::Result<Result<Vec<u8>>> {
     let mut file = File::open(path)?;
     let mut bytes = Vec::new();
@@ -74,13 +74,13 @@ fn read_text(path: &Path) -> std::io::Result<Result<Vec<u8>>> {
             "Give a text file; if it is one, save it as UTF-8.",
         )));
     }
-    // The size may have changed since it was asked for, so the limit is kept here as well.
+    // The size may have changed since it was asked for, so the limit is checked here as well.
     file.take(MAX_BYTES).read_to_end(&mut bytes)?;
     Ok(Ok(bytes))
 }
 
-/// The encoding that a text's first bytes tell, if it is none that is read: by its mark, or because every other byte of
-/// text in Latin letters is 0.
+/// The name of the encoding if the first bytes show one that is not read here: by its byte order mark, or because every
+/// other byte of text in Latin letters is 0.
 fn encoding(head: &[u8]) -> Option<&'static str> {
     let zeros = |first: usize| {
         let every_other = head.iter().skip(first).step_by(2);

@@ -1,29 +1,31 @@
-//! Volumes as a stack of slices: planes across the view, each clipped to the volumes' boxes. What methods draw that know
-//! surfaces only, as volumes were drawn on graphics hardware before rays were (and as Carr et al. 2008 have them).
+//! Volumes as a stack of slices: planes across the view, each clipped to the volumes' boxes. Methods that know only
+//! surfaces draw volumes in this way, as graphics hardware did before rays were cast on it (and as Carr et al. 2008
+//! have it).
 //!
-//! All volumes of a scene share one stack, so that slices of overlapping volumes are not only sorted but one: what two
-//! volumes have at a place is mixed there, not composited one after the other.
+//! All volumes of a scene share one stack. So overlapping volumes do not have two sorted slices at one place but a
+//! single slice, in which their samples are mixed and not composited one after the other.
 
 use glam::{DVec2, DVec3};
 
 use super::{Camera, Mesh, Scene, Shading, Vertex, Volume};
 use crate::fragment::Rgba;
 
-/// A scene whose volumes have become slices.
+/// A scene whose volumes were replaced by slices.
 pub(crate) struct Stack {
-    /// Surfaces, and slices behind them in the order of submission; no volumes.
+    /// The scene: the surfaces first, then the slices, in the order of submission. It has no volumes.
     pub(crate) scene: Scene,
-    /// The distance from slice to slice, along the view direction. A ray that crosses one stands for this, times its own
-    /// length over a distance of 1.
+    /// The distance from slice to slice along the view direction. Where a ray crosses a slice, the slice stands for
+    /// this distance times the ray's length over a distance of 1.
     pub(crate) spacing: f64,
 }
 
 impl Scene {
     /// The scene with `count` slices instead of its volumes.
     ///
-    /// The part of the view direction that the boxes take up between the near and the far plane is cut into equal slabs,
-    /// and a slice stands in the middle of each. A slice is the convex hull of the boxes' cross-sections; what it looks
-    /// like, and that it is clear outside of the boxes, [`Shading::Slice`] says. No other mesh counts as sorted.
+    /// The boxes take up a part of the view direction between the near and the far plane. This part is cut into equal
+    /// slabs, and a slice stands in the middle of each slab. A slice is the convex hull of the boxes' cross-sections.
+    /// [`Shading::Slice`] gives it its colours, and makes it clear outside of the boxes. No other mesh of the result
+    /// counts as sorted.
     pub(crate) fn as_slices(&self, count: u32) -> Stack {
         let view = View::of(&self.camera);
         let boxes: Vec<[DVec3; 8]> = self
@@ -55,7 +57,7 @@ impl Scene {
             sorted: true,
             ..mesh
         };
-        // Sorted triangles need not be sorted among the slices, which they may cross.
+        // Triangles of a sorted mesh may cross the slices, and are then not sorted among them.
         let unsorted = self.meshes.iter().map(|mesh| Mesh {
             sorted: false,
             ..mesh.clone()
@@ -75,7 +77,7 @@ impl Scene {
     }
 }
 
-/// The eye and its axes.
+/// The eye and the view's axes.
 struct View {
     eye: DVec3,
     right: DVec3,
@@ -95,7 +97,7 @@ impl View {
         }
     }
 
-    /// A box's corners: to the right, up, and how far away.
+    /// A box's corners in the view: right, up, distance.
     fn seen(&self, volume: &Volume) -> [DVec3; 8] {
         volume.corners().map(|corner| {
             let from_eye = corner - self.eye;
@@ -113,7 +115,7 @@ impl View {
     }
 }
 
-/// Where a plane at this distance cuts a box's edges: 3 to 6 points, or none.
+/// The points where a plane at this distance cuts a box's edges: 3 to 6, or none.
 fn cross_section(corners: &[DVec3; 8], distance: f64) -> impl Iterator<Item = DVec2> {
     // An edge joins two corners whose numbers differ in one bit.
     let edges = (0..8_usize).flat_map(|from| [1, 2, 4].map(|bit| (from, from | bit)));
@@ -152,7 +154,7 @@ fn chain(points: impl Iterator<Item = DVec2>) -> Vec<DVec2> {
     chain
 }
 
-/// A polygon as a fan of triangles that face the eye. The colour comes from the volumes, so the vertices' is clear.
+/// A polygon as a fan of triangles that face the eye. The colour comes from the volumes, so the vertices are clear.
 fn add(mesh: &mut Mesh, view: &View, polygon: &[DVec2], distance: f64) {
     let first = mesh.vertices.len() as u32;
     mesh.vertices.extend(polygon.iter().map(|&point| Vertex {

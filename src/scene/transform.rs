@@ -4,16 +4,16 @@ use glam::{DAffine3, DMat3, DQuat, DVec3};
 
 use super::mesh::Mesh;
 
-/// Scaled first, then rotated about the origin, then moved. The default changes nothing.
+/// A transform that first scales, then rotates about the origin, then moves. The default changes nothing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Transform {
-    /// In the scene's units.
+    /// The translation, in the scene's units.
     pub translate: DVec3,
     /// The axis of the rotation, of any length but zero.
     pub axis: DVec3,
     /// The angle of the rotation in degrees, counter-clockwise for an eye that the axis points at.
     pub degrees: f64,
-    /// Factors along x, y and z, none of them zero. An odd number of negative ones mirrors; a mesh's outside
+    /// Factors along x, y and z, none of them zero. An odd number of negative factors mirrors. The outside of a mesh
     /// stays outside.
     pub scale: DVec3,
 }
@@ -30,7 +30,7 @@ impl Default for Transform {
 }
 
 impl Transform {
-    /// The same as one map.
+    /// The transform as an affine map.
     pub fn to_affine(&self) -> DAffine3 {
         DAffine3::from_scale_rotation_translation(self.scale, self.rotation(), self.translate)
     }
@@ -42,7 +42,7 @@ impl Transform {
 }
 
 impl Mesh {
-    /// The same mesh elsewhere. A coordinate beyond the range of f32 is none that a driver can draw: [`Mesh::is_finite`].
+    /// The transformed mesh. A driver cannot draw a coordinate beyond the range of f32, see [`Mesh::is_finite`].
     #[must_use]
     pub fn transformed(mut self, transform: &Transform) -> Self {
         if *transform == Transform::default() {

@@ -241,7 +241,7 @@ fn bad_values_are_refused_with_what_to_do() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("s.toml");
     let cases = [
-        ("generate = \"isosurface\"\nvalue = 1.0", "of no volume"),
+        ("generate = \"isosurface\"\nvalue = 1.0", "has no volume"),
         (
             "generate = \"isosurface\"\nvolume = \"fig\"\nvalue = 1.0",
             "Did you mean \"fog\"?",
@@ -256,7 +256,7 @@ fn bad_values_are_refused_with_what_to_do() {
         ),
         (
             "generate = \"isosurface\"\nvolume = \"fog\"\nvalue = 0.5\nsteps = 2",
-            "no key 'steps'",
+            "key 'steps' is not known",
         ),
         (
             "generate = \"streamlines\"\nflow = \"rotaton\"",

@@ -7,7 +7,7 @@ use super::limits::{ANY, OPENING, POSITIVE};
 use crate::error::Result;
 use crate::scene::{Bounds, Camera, PartialCamera};
 
-/// What the file says about the camera, and where it says so.
+/// The file's keys for the camera, and where they stand.
 pub(super) struct Wish<'a> {
     camera: PartialCamera,
     keys: Option<Keys<'a>>,
@@ -37,12 +37,12 @@ impl<'a> Wish<'a> {
         })
     }
 
-    /// What the file says.
+    /// The parts of the camera that the file gives.
     pub(super) fn partial(&self) -> PartialCamera {
         self.camera
     }
 
-    /// The whole camera. A fault that shows only when its parts meet is laid to the key that it is about.
+    /// The whole camera. A fault that shows only when the parts are combined is reported at the key that it is about.
     pub(super) fn fit(&self, bounds: Option<Bounds>, size: [u32; 2]) -> Result<Camera> {
         let camera = self.camera.fit(bounds, size);
         match (camera.fault(), &self.keys) {

@@ -1,4 +1,4 @@
-//! `generate = "streamlines"` and `"arrows"`: what shows a flow.
+//! `generate = "streamlines"` and `"arrows"`, which show a flow.
 
 use super::generator::seed;
 use super::keys::Keys;

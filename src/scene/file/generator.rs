@@ -11,13 +11,13 @@ use crate::scene::generate::{
     Cone, Generator, Order, Plane, Quads, Slices, Soup, Teapot, TorusKnot,
 };
 
-/// Reads one generator's parameters. What is left out has the default that the generator documents.
+/// Reads the parameters of one generator. A parameter that is left out has the default that the generator documents.
 type Reader = fn(&Keys) -> Result<Box<dyn Generator>>;
 
-/// The one that is made from a volume of the file.
+/// The generator that takes a volume of the file.
 const ISOSURFACE: &str = "isosurface";
 
-/// All others: name, parameters, reader.
+/// All other generators: name, parameters, reader.
 const GENERATORS: [(&str, &[&[&str]], Reader); 9] = [
     ("teapot", &[&["cells", "color", "opacity"]], teapot),
     ("plane", &[&["size", "cells", "color", "opacity"]], plane),
@@ -54,7 +54,8 @@ const GENERATORS: [(&str, &[&[&str]], Reader); 9] = [
     ("arrows", &ARROWS, arrows),
 ];
 
-/// The generator of a mesh, its keys and parameters checked. An isosurface's is made of one of the file's volumes.
+/// The generator of a mesh, with its keys and parameters checked. An isosurface is generated from one of the file's
+/// volumes.
 pub(super) fn read<'v>(keys: &Keys, volumes: &'v [NamedVolume]) -> Result<Box<dyn Generator + 'v>> {
     let own = GENERATORS.iter().map(|entry| (entry.0, Some(entry)));
     let choices: Vec<_> = own.chain([(ISOSURFACE, None)]).collect();
@@ -78,7 +79,7 @@ pub(super) fn read<'v>(keys: &Keys, volumes: &'v [NamedVolume]) -> Result<Box<dy
     }
 }
 
-/// All names, for messages.
+/// The names of all generators, for messages.
 pub(super) fn names() -> String {
     let own = GENERATORS.map(|(name, ..)| name).join(", ");
     format!("{own}, {ISOSURFACE}")
@@ -172,7 +173,7 @@ fn soup(keys: &Keys) -> Result<Box<dyn Generator>> {
     }))
 }
 
-/// TOML's whole numbers end at the 64-bit signed ones.
+/// TOML's whole numbers are signed and have 64 bits.
 pub(super) fn seed(keys: &Keys) -> Result<u64> {
     let seed = keys.integer("seed", &(0..=i64::MAX as u64))?;
     Ok(seed.unwrap_or(0))

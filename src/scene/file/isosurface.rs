@@ -1,4 +1,4 @@
-//! `generate = "isosurface"`: of which volume, and where.
+//! `generate = "isosurface"`: its volume and its value.
 
 use super::keys::Keys;
 use super::limits::ANY;
@@ -6,7 +6,7 @@ use super::volume::NamedVolume;
 use crate::error::{Result, nearest};
 use crate::scene::generate::Isosurface;
 
-/// Its own keys.
+/// The keys of an isosurface.
 pub(super) const PARAMETERS: [&str; 4] = ["volume", "value", "color", "opacity"];
 
 /// The isosurface of the volume that `volume` names.
@@ -15,7 +15,7 @@ pub(super) fn read<'v>(keys: &Keys, volumes: &'v [NamedVolume]) -> Result<Isosur
     let Some(wanted) = keys.text("volume")? else {
         return Err(keys.wrong(
             "volume",
-            "an isosurface of no volume",
+            "this isosurface has no volume",
             "Give a [[volume]] of this file a `name`, and write that name here: volume = \"NAME\".",
         ));
     };
@@ -25,7 +25,7 @@ pub(super) fn read<'v>(keys: &Keys, volumes: &'v [NamedVolume]) -> Result<Isosur
             None if names.is_empty() => "No [[volume]] of this file has a `name`.".to_owned(),
             None => format!("Known are: {}.", names.join(", ")),
         };
-        let what = format!("there is no volume named \"{wanted}\"");
+        let what = format!("no volume is named \"{wanted}\"");
         return Err(keys.wrong("volume", what, remedy));
     };
     let missing = || keys.wrong("value", "`value` is missing", "Write value = 0.5.");

@@ -1,7 +1,7 @@
-//! Reading a table of a scene file: typed, and with nothing in it that is not known.
+//! Reading a table of a scene file, with types. Unknown keys are errors.
 //!
-//! The parser's own tree is read instead of being deserialised by derived code: only so can an error say which values
-//! are allowed, which keys are known at this place, and which of them was probably meant.
+//! The parser's tree is read by hand instead of being deserialised by derived code. Only in this way can an error say
+//! which values are allowed, which keys are known at this place, and which of them was probably meant.
 
 use std::ops::{Range, RangeInclusive};
 
@@ -13,16 +13,16 @@ use super::place::Document;
 use super::value::Value;
 use crate::error::{Error, Place, Result, nearest};
 
-/// A table and what it is called.
+/// A table and its name.
 pub(super) struct Keys<'a> {
     pub(super) document: Document<'a>,
-    /// As a person writes it: `[camera]`; empty for the file's top.
+    /// The name as a person writes it, such as `[camera]`. It is empty for the file's top.
     name: &'a str,
     table: &'a DeTable<'a>,
     span: Range<usize>,
 }
 
-/// A value that is a number, or a word that stands for something else.
+/// A value that is a number, or the one word that is allowed in its place.
 pub(super) enum NumberOrWord {
     Number(f64),
     Word,
@@ -31,7 +31,7 @@ pub(super) enum NumberOrWord {
 const THREE: &str = "three numbers, as in [0.5, 0.5, 0.5]";
 
 impl<'a> Keys<'a> {
-    /// The file's top.
+    /// The table at the file's top.
     pub(super) fn top(document: Document<'a>, table: &'a Spanned<DeTable<'a>>) -> Self {
         Self {
             document,
@@ -41,9 +41,9 @@ impl<'a> Keys<'a> {
         }
     }
 
-    /// An error if there is a key that is not among these.
+    /// Returns an error if the table has a key that is not among these.
     pub(super) fn expect_only(&self, known: &[&str]) -> Result<()> {
-        // The table is in alphabetical order; the first one in the file is the one to be shown.
+        // The table is in alphabetical order, but the message shows the first unknown key of the file.
         let keys = self.table.keys();
         let unknown = keys.filter(|key| !known.contains(&key.get_ref().as_ref()));
         let Some(key) = unknown.min_by_key(|key| key.span().start) else {
@@ -58,7 +58,7 @@ impl<'a> Keys<'a> {
             Some(meant) => format!("Did you mean '{meant}'? The keys known {place} are: {list}."),
             None => format!("The keys known {place} are: {list}."),
         };
-        let what = format!("there is no key '{word}' {place}");
+        let what = format!("the key '{word}' is not known {place}");
         Err(Error::input(self.document.place(key.span()), what, remedy))
     }
 
@@ -67,7 +67,7 @@ impl<'a> Keys<'a> {
         self.value(key).is_some_and(|value| value.get().is_array())
     }
 
-    /// Where the key's value stands, or, if it is not there, the table.
+    /// The place of the key's value, or of the table if the key is missing.
     pub(super) fn place(&self, key: &str) -> Place {
         let span = self.table.get(key).map(Spanned::span);
         self.document.place(span.unwrap_or(self.span.clone()))
@@ -78,7 +78,7 @@ impl<'a> Keys<'a> {
         self.read(key, |value| value.number(limits))
     }
 
-    /// A number within limits, or the one word that stands for something that is none.
+    /// A number within limits, or the one word that is allowed in its place.
     pub(super) fn number_or_word(
         &self,
         key: &'a str,
@@ -92,7 +92,7 @@ impl<'a> Keys<'a> {
         })
     }
 
-    /// The same as 32 bits.
+    /// The same in 32 bits.
     pub(super) fn number32(&self, key: &'a str, limits: &Limits) -> Result<Option<f32>> {
         self.read(key, |value| value.number32(limits))
     }
@@ -102,7 +102,7 @@ impl<'a> Keys<'a> {
         self.read(key, |value| value.numbers(limits, THREE))
     }
 
-    /// The same as 32 bits.
+    /// The same in 32 bits.
     pub(super) fn vector32(&self, key: &'a str, limits: &Limits) -> Result<Option<[f32; 3]>> {
         Ok(self.vector(key, limits)?.map(|v| v.map(|x| x as f32)))
     }
@@ -193,7 +193,7 @@ impl<'a> Keys<'a> {
         })
     }
 
-    /// One of several words, by what it stands for.
+    /// One of several words, as the value that it stands for.
     pub(super) fn choice<T: Copy>(&self, key: &'a str, choices: &[(&str, T)]) -> Result<Option<T>> {
         let Some(text) = self.text(key)? else {
             return Ok(None);
@@ -211,12 +211,12 @@ impl<'a> Keys<'a> {
         Err(self.wrong(key, what, remedy))
     }
 
-    /// A table within this one, and what it is called.
+    /// A table within this one, and its name.
     pub(super) fn table(&self, key: &'a str, name: &'a str) -> Result<Option<Self>> {
         self.read(key, |value| self.inner(value, name, "a table"))
     }
 
-    /// The tables of an array of tables, and what each is called.
+    /// The tables of an array of tables, and the name of each.
     pub(super) fn tables(&self, key: &'a str, name: &'a str) -> Result<Vec<Self>> {
         let wanted = format!("tables, each under a line {name}");
         let tables = self.read(key, |value| {
@@ -226,7 +226,7 @@ impl<'a> Keys<'a> {
         Ok(tables?.unwrap_or_default())
     }
 
-    /// Something is wrong with this key's value, or, if it is not there, with the table.
+    /// The error for this key's value, or for the table if the key is missing.
     pub(super) fn wrong(
         &self,
         key: &str,

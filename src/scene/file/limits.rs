@@ -1,15 +1,15 @@
-//! What numbers are allowed, in words and as a test.
+//! The ranges of allowed numbers, in words and as a test.
 
 /// A range of numbers.
 pub(super) struct Limits {
-    /// Completes 'this must be'.
+    /// The range in words, to complete 'this must be'.
     pub(super) words: &'static str,
-    /// Whether a finite number is within.
+    /// Whether a finite number is within the range.
     pub(super) allow: fn(f64) -> bool,
 }
 
 impl Limits {
-    /// Whether a number is finite, in the range of f32, and within.
+    /// Whether a number is finite, in the range of f32, and within this range.
     pub(super) fn hold(&self, number: f64) -> bool {
         number.abs() <= f64::from(f32::MAX) && (self.allow)(number)
     }
@@ -39,7 +39,7 @@ pub(super) const OPENING: Limits = Limits {
     allow: |x| x > 0.0 && x < 180.0,
 };
 
-/// Scale factors. Those beyond are typing errors, and would take normals out of range.
+/// Scale factors. Factors beyond these are typing errors, and would take normals out of range.
 pub(super) const FACTOR: Limits = Limits {
     words: "a factor other than 0, of a size from 1e-6 to 1e6",
     allow: |x| (1e-6..=1e6).contains(&x.abs()),
@@ -51,7 +51,7 @@ pub(super) const DENSITY: Limits = Limits {
     allow: |x| (0.0..=1e6).contains(&x),
 };
 
-/// Sampling distances in voxels. A smaller one would take for ever, a larger one is no sampling.
+/// Sampling distances in voxels. A smaller distance would take for ever; with a larger one hardly anything is sampled.
 pub(super) const STEP: Limits = Limits {
     words: "a number of voxels from 0.001 to 1000",
     allow: |x| (1e-3..=1e3).contains(&x),

@@ -17,13 +17,13 @@ use crate::scene::obj::{self, Paint};
 pub(super) struct Loaded {
     pub(super) meshes: Vec<Mesh>,
     pub(super) notices: Vec<String>,
-    /// Which meshes each entry has made.
+    /// The meshes that each entry has made.
     pub(super) sources: Vec<Source>,
 }
 
-/// The keys of every mesh, wherever it comes from.
+/// The keys of every mesh, from a file or from a generator.
 pub(super) const COMMON: [&str; 5] = ["name", "shading", "inside", "sorted", "transform"];
-/// The keys that say where it comes from, and those of a model.
+/// The keys that say where a mesh comes from, and the keys of a model.
 const OWN: [&str; 4] = ["file", "generate", "color", "opacity"];
 
 const SHADINGS: [(&str, Shading); 4] = [
@@ -33,7 +33,7 @@ const SHADINGS: [(&str, Shading); 4] = [
     ("two-sided", Shading::TwoSided),
 ];
 
-/// Reads them; isosurfaces are taken from these volumes.
+/// Reads all meshes. Isosurfaces are made from these volumes.
 pub(super) fn load_all(top: &Keys, volumes: &[NamedVolume]) -> Result<Loaded> {
     let mut loaded = Loaded::default();
     let mut generated = 0;
@@ -66,7 +66,7 @@ fn load(
             "Take out `file` or `generate`, or make two [[mesh]] of it.",
         )),
         (None, None) => {
-            // A misspelt key is the likelier mistake.
+            // A misspelt key is the more likely mistake.
             keys.expect_only(&[&OWN[..], &COMMON].concat())?;
             Err(keys.wrong(
                 "file",
@@ -133,7 +133,7 @@ fn read_file(keys: &Keys, file: &str, loaded: &mut Loaded) -> Result<()> {
     Ok(())
 }
 
-/// Takes the memory of so many triangles, or says that it is not there.
+/// Takes the memory of so many triangles, or returns the error that there is not enough.
 fn take(keys: &Keys, key: &str, triangles: u64, bytes: u64) -> Result<()> {
     let room = keys.document.memory.take(bytes);
     room.map_err(|shortage| shortage.at(keys.place(key), format!("{triangles} triangles")))
@@ -146,7 +146,7 @@ fn paint(keys: &Keys) -> Result<Paint> {
     })
 }
 
-/// What holds for files and generators alike.
+/// The keys that files and generators share.
 fn finish(keys: &Keys, loaded: &mut Loaded, first: usize) -> Result<()> {
     let transform = transform::read(keys)?;
     let shading = keys.choice("shading", &SHADINGS)?.unwrap_or_default();

@@ -4,7 +4,7 @@
 //! size = [1024, 768]               # pixels, 1 to 65535 each
 //! background = [1.0, 1.0, 1.0]     # linear RGB; black if left out
 //!
-//! [camera]                         # what is left out is fitted, see PartialCamera
+//! [camera]                         # keys that are left out are fitted, see PartialCamera
 //! eye = [0.0, 0.0, 3.0]
 //! target = [0.0, 0.0, 0.0]
 //! up = [0.0, 1.0, 0.0]
@@ -23,37 +23,38 @@
 //!
 //! [[volume]]
 //! file = "potential.nhdr"          # .nrrd, .nhdr, .nii, .nii.gz, .vti, .pvti; or: generate = "ball" and its parameters
-//! array = "phi"                    # of a file with several (.vti, .pvti); left out: its active scalars, or its first ones
-//! nan = "empty"                    # what samples mean that are not numbers: "empty" (no density around them), or a number
+//! array = "phi"                    # one of several arrays (.vti, .pvti); if left out: the active scalars, or the first
+//! nan = "empty"                    # for samples that are not numbers: "empty" (no density around them), or a number
 //! step = 0.5                       # sampling distance in voxels
 //! transfer = [                     # see Transfer; in the order of the values
 //!   { value = 0.0, color = [1.0, 1.0, 1.0], density = 0.0 },
 //!   { value = 5.0, color = [0.1, 0.2, 0.9], density = 0.4 },
 //! ]
 //! transform = { translate = [0, 1, 0] }
-//! hidden = false                   # true: it is there for its isosurfaces only, and needs no transfer function
-//! name = "potential"               # for isosurfaces and [[path.show]]; a mesh may have one, too
+//! hidden = false                   # true: used for isosurfaces only, and needs no transfer function
+//! name = "potential"               # for isosurfaces and [[path.show]]; a mesh may have a name, too
 //!
 //! [[mesh]]
 //! generate = "isosurface"
 //! volume = "potential"             # a volume's name
 //! value = 2.5
 //!
-//! [path]                           # for animations, see CameraPath; left out, the camera turns once in 36 frames
+//! [path]                           # for animations, see CameraPath; without it, the camera turns once in 36 frames
 //! frames = 400
 //! rotate = 90.0                    # degrees over all frames
-//! dolly = 0.4                      # in to this part of the distance, and back ...
+//! dolly = 0.4                      # the eye comes as near as this part of its distance, and goes back ...
 //! dolly_frames = 200               # ... in so many frames
 //!
-//! [[path.show]]                    # before the first one everything is shown
+//! [[path.show]]                    # everything is shown before the first of these
 //! from = 100                       # from this frame on ...
-//! sources = ["potential"]          # ... only what has one of these names
+//! sources = ["potential"]          # ... only meshes and volumes with one of these names are shown
 //! ```
 //!
-//! Volumes of patients stand in right-anterior-superior axes (RAS): NIfTI files always, NRRD files whose `space` is
-//! anatomical, which are turned if they have other axes. All other files, and meshes always, stay in their own axes.
+//! Volumes of patients stand in right-anterior-superior axes (RAS). NIfTI files always have these axes. NRRD files
+//! whose `space` is anatomical are turned into them if they have others. All other files, and all meshes, stay in their
+//! own axes.
 //!
-//! A transform scales first (by one factor or by three), then rotates about the origin, then moves.
+//! A transform first scales (by one factor or by three), then rotates about the origin, then moves.
 
 mod camera;
 mod flow_generator;
@@ -84,13 +85,14 @@ use place::{Document, Lines};
 use sources::Source;
 use volume::NamedVolume;
 
-/// The largest scene file that is read. It is written by hand; this leaves room for one written by a program.
+/// The largest scene file that is read. Scene files are written by hand; the limit leaves room for one that a program
+/// wrote.
 const MAX_BYTES: usize = 16 << 20;
 
-/// What the parser's tree takes for a byte of a list of one-digit numbers, the densest that there is; measured.
+/// The memory of the parser's tree per byte of a list of one-digit numbers, the densest text that there is. Measured.
 const BYTES_PER_BYTE: u64 = 80;
 
-/// Reads a scene file and all that it names.
+/// Reads a scene file and all files that it names.
 pub(super) fn load(path: &Path, options: &LoadOptions) -> Result<Animation> {
     let memory = &options.memory;
     let text = read(path, memory)?;
@@ -137,7 +139,7 @@ pub(super) fn load(path: &Path, options: &LoadOptions) -> Result<Animation> {
     })
 }
 
-/// The volumes that are not hidden; each entry of the file becomes a source.
+/// The volumes that are not hidden. Each entry of the file becomes a source.
 fn shown(all: Vec<NamedVolume>, sources: &mut Vec<Source>) -> Vec<Volume> {
     let mut volumes = Vec::new();
     for entry in all {
@@ -183,7 +185,7 @@ fn read(path: &Path, memory: &MemoryLimit) -> Result<String> {
             "Save the file as UTF-8, in an editor or by `iconv -f latin1 -t utf-8`.",
         )
     })?;
-    // The mark that some editors put before UTF-8.
+    // The byte order mark that some editors put before UTF-8.
     Ok(match text.strip_prefix('\u{feff}') {
         Some(text) => text.to_owned(),
         None => text,

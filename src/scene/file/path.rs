@@ -1,4 +1,4 @@
-//! `[path]`: where the camera goes, and what is shown when.
+//! `[path]`: the camera's path, and which meshes and volumes are shown in which frames.
 
 use std::collections::BTreeMap;
 
@@ -9,10 +9,10 @@ use crate::error::{Error, Result, nearest};
 use crate::scene::animation::{Named, Show, Shows};
 use crate::scene::path::CameraPath;
 
-/// The longest path: at a second a frame it takes eleven days.
+/// The largest number of frames. At a second per frame, they take eleven days.
 const MOST_FRAMES: u64 = 1_000_000;
 
-/// What a file says about its animation.
+/// The animation of a file.
 #[derive(Default)]
 pub(super) struct Loaded {
     pub(super) path: Option<CameraPath>,
@@ -29,7 +29,7 @@ pub(super) fn read(top: &Keys, sources: &[Source]) -> Result<Loaded> {
     let frames = frames.map_or(default.frames, |frames| frames as u32);
     let dolly = keys.number("dolly", &POSITIVE)?;
     let dolly_frames = keys.integer("dolly_frames", &(2..=MOST_FRAMES))?;
-    // A path that dollies need not turn.
+    // A path with a dolly need not turn.
     let still = if dolly.is_some() { 0.0 } else { default.rotate };
     let path = CameraPath {
         frames,
@@ -74,7 +74,7 @@ fn shows(keys: &Keys, sources: &[Source]) -> Result<Shows> {
     Ok(Shows { named, shows })
 }
 
-/// The place of each name, and what has it, at that place. Several sources may share a name.
+/// The place of each name, and at each place the sources that have the name. Several sources may share one.
 fn by_name(sources: &[Source]) -> (BTreeMap<&str, usize>, Vec<Named>) {
     let mut names = BTreeMap::new();
     let mut named: Vec<Named> = Vec::new();
@@ -98,6 +98,6 @@ fn unknown(keys: &Keys, name: &str, names: &BTreeMap<&str, usize>) -> Error {
         Some(meant) => format!("Did you mean \"{meant}\"?"),
         None => "Give a [[mesh]] or [[volume]] this `name`.".to_owned(),
     };
-    let what = format!("there is no mesh and no volume named \"{name}\"");
+    let what = format!("no mesh and no volume is named \"{name}\"");
     keys.wrong("sources", what, remedy)
 }

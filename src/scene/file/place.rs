@@ -1,4 +1,4 @@
-//! Where in a scene file a value stands.
+//! The place of a value in a scene file.
 
 use std::ops::Range;
 use std::path::Path;
@@ -6,19 +6,19 @@ use std::path::Path;
 use crate::error::Place;
 use crate::memory::MemoryLimit;
 
-/// A scene file's path and text: enough to turn the parser's byte offsets into lines and words.
+/// The path and the text of a scene file, which turn the parser's byte offsets into lines and words.
 #[derive(Clone, Copy)]
 pub(super) struct Document<'a> {
     pub(super) path: &'a Path,
     pub(super) text: &'a str,
-    /// Where its lines begin.
+    /// The byte offsets at which lines begin.
     pub(super) lines: &'a Lines,
-    /// How much memory may be taken for what the file asks for.
+    /// The memory that the file's scene may take.
     pub(super) memory: &'a MemoryLimit,
 }
 
-/// Where the lines of a text begin, in bytes. A file may have a notice for each of its lines, so the text is gone
-/// through once.
+/// The byte offsets at which the lines of a text begin. A file may have a notice for each of its lines, so they are
+/// found once.
 pub(super) struct Lines(Vec<usize>);
 
 impl Lines {
@@ -27,14 +27,14 @@ impl Lines {
         Self([0].into_iter().chain(ends.map(|(at, _)| at + 1)).collect())
     }
 
-    /// The line of a byte, from 1.
+    /// The number of the line that has this byte, from 1.
     fn at(&self, byte: usize) -> usize {
         self.0.partition_point(|&begin| begin <= byte)
     }
 }
 
 impl Document<'_> {
-    /// The line that a span starts in, and the first line of its text.
+    /// The number of the line in which a span starts, and the first line of the span's text.
     pub(super) fn place(&self, span: Range<usize>) -> Place {
         let place = Place::line(self.path, self.line(span.start));
         let token = self.text.get(span).unwrap_or_default();
@@ -44,7 +44,7 @@ impl Document<'_> {
         }
     }
 
-    /// The line of a byte, from 1.
+    /// The number of the line that has this byte, from 1.
     pub(super) fn line(&self, byte: usize) -> usize {
         self.lines.at(byte)
     }

@@ -1,14 +1,14 @@
-//! What an entry of a scene file has become in the scene.
+//! What an entry of a scene file became in the scene.
 
 use std::ops::Range;
 
-/// One `[[mesh]]` or `[[volume]]`: a model's file may hold several meshes, and a hidden volume is none.
+/// One `[[mesh]]` or `[[volume]]`. A model's file may hold several meshes; a hidden volume is not in the scene.
 #[derive(Clone, Debug)]
 pub(in crate::scene) struct Source {
-    /// What the file calls it.
+    /// The name in the file.
     pub(in crate::scene) name: Option<String>,
-    /// Its meshes among the scene's.
+    /// Its meshes, as a range of the scene's.
     pub(in crate::scene) meshes: Range<usize>,
-    /// Its volumes among the scene's, one at most.
+    /// Its volume, as a range of at most one of the scene's.
     pub(in crate::scene) volumes: Range<usize>,
 }

@@ -7,7 +7,7 @@ use super::limits::{ANY, FACTOR};
 use crate::error::Result;
 use crate::scene::transform::Transform;
 
-/// What a mesh or a volume says about its place.
+/// The transform of a mesh or a volume.
 pub(super) fn read(keys: &Keys) -> Result<Transform> {
     let Some(keys) = keys.table("transform", "a transform")? else {
         return Ok(Transform::default());

@@ -1,4 +1,4 @@
-//! One value of a scene file, and what it is asked to be.
+//! One value of a scene file, read as the type that its key needs.
 
 use std::ops::RangeInclusive;
 
@@ -18,12 +18,12 @@ pub(super) struct Value<'a> {
 }
 
 impl<'a> Value<'a> {
-    /// Where it stands.
+    /// The value's place.
     pub(super) fn place(&self) -> Place {
         self.document.place(self.value.span())
     }
 
-    /// What it is, whatever it is asked to be.
+    /// The value as the parser has it.
     pub(super) fn get(&self) -> &'a DeValue<'a> {
         self.value.get_ref()
     }
@@ -37,7 +37,7 @@ impl<'a> Value<'a> {
         Err(self.out_of_range(limits.words))
     }
 
-    /// The same as 32 bits.
+    /// The same in 32 bits.
     pub(super) fn number32(&self, limits: &Limits) -> Result<f32> {
         Ok(self.number(limits)? as f32)
     }
@@ -55,7 +55,7 @@ impl<'a> Value<'a> {
         }
     }
 
-    /// As many numbers as there must be.
+    /// A list of exactly `N` numbers.
     pub(super) fn numbers<const N: usize>(
         &self,
         limits: &Limits,
@@ -64,7 +64,7 @@ impl<'a> Value<'a> {
         self.exactly(wanted, |item| item.number(limits))
     }
 
-    /// As many items as there must be, each read by a rule.
+    /// A list of exactly `N` items, each read by a function.
     pub(super) fn exactly<T, const N: usize>(
         &self,
         wanted: &str,
@@ -86,7 +86,7 @@ impl<'a> Value<'a> {
         }))
     }
 
-    /// It is of the wrong type.
+    /// The error for a value of the wrong type.
     pub(super) fn mistyped(&self, wanted: &str) -> Error {
         let found = match self.get() {
             DeValue::String(_) => "text",
@@ -112,7 +112,7 @@ impl<'a> Value<'a> {
     }
 }
 
-/// Whole numbers count as numbers; infinities and NaN are numbers too, and out of every range.
+/// The value as a number. A whole number counts as one. So do infinities and NaN, which are out of every range.
 fn number_of(value: &DeValue) -> Option<f64> {
     match value {
         DeValue::Float(float) => float.as_str().parse().ok(),

@@ -15,25 +15,25 @@ pub(super) struct Loaded {
     pub(super) notices: Vec<String>,
 }
 
-/// A volume and what the file says of its part in the scene.
+/// A volume, with its name and its part in the scene.
 pub(super) struct NamedVolume {
     pub(super) volume: Volume,
-    /// What the file calls it.
+    /// The name in the file.
     pub(super) given: Option<String>,
-    /// It is there for its isosurfaces only.
+    /// Whether the volume is used for isosurfaces only.
     pub(super) hidden: bool,
 }
 
 impl NamedVolume {
-    /// What the file calls it.
+    /// The name in the file.
     pub(super) fn name(&self) -> Option<&str> {
         self.given.as_deref()
     }
 }
 
-/// The keys of every volume, wherever it comes from.
+/// The keys of every volume, from a file or from a generator.
 const COMMON: [&str; 5] = ["name", "hidden", "step", "transfer", "transform"];
-/// Those of a volume from a file.
+/// The keys of a volume from a file.
 const OF_FILES: [&str; 3] = ["file", "array", "nan"];
 /// The most samples that one scene file generates: 2 GiB of them.
 const MOST_GENERATED: u64 = volume::MAX_SAMPLES;
@@ -42,7 +42,7 @@ pub(super) fn load_all(top: &Keys) -> Result<Loaded> {
     let mut loaded = Loaded::default();
     let mut generated = 0;
     for keys in top.tables("volume", "[[volume]]")? {
-        // What is wrong with the look is said before a large file is read.
+        // Faults of the look are reported before a large file is read.
         let volume = match (keys.text("file")?, keys.text("generate")?) {
             (Some(_), Some(_)) => {
                 let what = "a volume is either read from a file or generated";
@@ -81,7 +81,7 @@ pub(super) fn load_all(top: &Keys) -> Result<Loaded> {
 }
 
 fn without_samples(keys: &Keys) -> Error {
-    // A misspelt key is the likelier mistake.
+    // A misspelt key is the more likely mistake.
     let known = [&OF_FILES[..], &["generate"], &COMMON].concat();
     keys.expect_only(&known).err().unwrap_or_else(|| {
         let names = volume_generator::names();
@@ -93,7 +93,7 @@ fn without_samples(keys: &Keys) -> Error {
     })
 }
 
-/// What is asked of the reader.
+/// The reader's options.
 fn wish<'a>(keys: &Keys<'a>) -> Result<Wish<'a>> {
     Ok(Wish {
         array: keys.text("array")?,
@@ -105,7 +105,7 @@ fn wish<'a>(keys: &Keys<'a>) -> Result<Wish<'a>> {
     })
 }
 
-/// What a file says about a volume's look and place.
+/// The look and the place of a volume.
 struct Look {
     step: f64,
     transfer: Transfer,

@@ -9,10 +9,10 @@ use crate::scene::generate::{
     SheppLogan, Swirl, bytes_of_samples, sampled,
 };
 
-/// Reads one generator's parameters. What is left out has the default that the generator documents.
+/// Reads the parameters of one generator. A parameter that is left out has the default that the generator documents.
 type Reader = fn(&Keys) -> Result<Box<dyn Field>>;
 
-/// All of them: name, own parameters, reader.
+/// All generators: name, parameters of their own, reader.
 const GENERATORS: [(&str, &[&str], Reader); 7] = [
     ("constant", &["value"], constant),
     ("ball", &["radius", "softness", "value"], ball),
@@ -41,7 +41,7 @@ pub(super) fn read(keys: &Keys, common: &[&str]) -> Result<Volume> {
     sampled(field.as_ref()).map_err(refused)
 }
 
-/// All names, for messages.
+/// The names of all generators, for messages.
 pub(super) fn names() -> String {
     GENERATORS.map(|(name, ..)| name).join(", ")
 }

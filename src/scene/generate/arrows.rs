@@ -7,12 +7,13 @@ use super::{Generator, Refusal, WHITE, checked, named};
 use crate::error::Result;
 use crate::scene::mesh::Mesh;
 
-/// Arrows, as closed surfaces, each starting at its seed.
+/// Arrows as closed surfaces. Each starts at its seed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Arrows {
-    /// What they show, and where they start.
+    /// The flow, and the points where the arrows start.
     pub seeds: Seeds,
-    /// How long an arrow is where the flow has speed 1, 1e-6 to 1e6; elsewhere in proportion.
+    /// The length of an arrow where the flow has speed 1, 1e-6 to 1e6. Other arrows are longer or shorter in
+    /// proportion.
     pub length: f32,
     /// Sides of shaft and head, 3 to 1,000.
     pub sides: u32,
@@ -33,10 +34,10 @@ impl Default for Arrows {
 const SHAFT: f64 = 0.04;
 const HEAD: f64 = 0.12;
 const NECK: f64 = 0.65;
-/// An arrow shorter than this part of `length` is left out: there is no flow to speak of.
+/// An arrow shorter than this part of `length` is left out, because there is hardly any flow.
 const SHORTEST: f64 = 1e-3;
 
-/// Arrows along a flow. Where it stands still there is none.
+/// Arrows along a flow. There is no arrow where the flow stands still.
 ///
 /// # Errors
 /// A parameter is out of its range.
@@ -52,7 +53,7 @@ impl Generator for Arrows {
         few_enough("count", self.triangle_count())
     }
 
-    /// At most: there may be fewer arrows than seeds.
+    /// An upper bound: there may be fewer arrows than seeds.
     fn triangle_count(&self) -> u64 {
         u64::from(self.seeds.count) * tube::triangles_of(3, u64::from(self.sides))
     }

@@ -1,4 +1,4 @@
-//! The shell of a cone, open at its ends: a beam.
+//! The shell of a cone that is open at its ends, such as a beam.
 
 use std::f64::consts::TAU;
 
@@ -11,21 +11,21 @@ use crate::error::Result;
 use crate::scene::mesh::{Mesh, Vertex};
 
 /// A conical shell around the y axis, from y = -`height`/2 to `height`/2. Both ends are open: a ray along the axis
-/// meets nothing, one across it meets two surfaces.
+/// meets no surface, and a ray across it meets two.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cone {
     /// The radius at the lower end, 0 to 1e6.
     pub bottom: f32,
-    /// The radius at the upper end, 0 to 1e6. One of the two must not be 0.
+    /// The radius at the upper end, 0 to 1e6. At most one of the two radii may be 0.
     pub top: f32,
-    /// From one end to the other, 1e-6 to 1e6.
+    /// The distance from one end to the other, 1e-6 to 1e6.
     pub height: f32,
-    /// How many flat sides stand for the round, 3 to 10,000,000.
+    /// The number of flat sides that approximate the round shell, 3 to 10,000,000.
     pub sides: u32,
 }
 
 impl Default for Cone {
-    /// As wide as high, with its apex on top.
+    /// A cone that is as wide as high, with its apex on top.
     fn default() -> Self {
         Self {
             bottom: 1.0,
@@ -36,7 +36,7 @@ impl Default for Cone {
     }
 }
 
-/// A conical shell. At an apex there is one triangle per side, elsewhere two.
+/// A conical shell. A side has one triangle if it ends in an apex, and two otherwise.
 ///
 /// # Errors
 /// A parameter is out of its range.

@@ -12,12 +12,12 @@ use crate::scene::chance::Chance;
 /// A steady flow.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Flow {
-    /// A vortex with a jet; its lattice gives the size only.
+    /// A vortex with a jet. Of its lattice only the size matters.
     Swirl(Swirl),
-    /// A rigid rotation about the z axis, once in 2 pi.
+    /// A rigid rotation about the z axis, with a period of 2 pi.
     Rotation,
-    /// A bundle along the z axis that is tied together at z = 0: a line's distance from the axis grows as
-    /// sqrt(1 + z squared).
+    /// A bundle along the z axis that is tied together at z = 0. A line's distance from the axis grows as sqrt(1 + z
+    /// squared).
     Bundle,
 }
 
@@ -51,18 +51,18 @@ impl Flow {
     }
 }
 
-/// A flow and where it is shown: at points drawn evenly from a box.
+/// A flow, and the points at which it is shown. They are drawn from a box, with even density.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Seeds {
-    /// What is shown.
+    /// The flow.
     pub flow: Flow,
-    /// How many, 1 to 1,000,000.
+    /// The number of points, 1 to 1,000,000.
     pub count: u32,
     /// The box's centre, coordinates -1e6 to 1e6.
     pub centre: [f32; 3],
-    /// The box's edges, 0 to 1e6.
+    /// The lengths of the box's edges, 0 to 1e6.
     pub extent: [f32; 3],
-    /// The same seed draws the same points.
+    /// The seed of the points. The same seed gives the same points.
     pub seed: u64,
 }
 
@@ -107,15 +107,15 @@ pub fn runge_kutta(velocity: impl Fn(DVec3) -> DVec3, point: DVec3, step: f64) -
     point + (first + 2.0 * (second + third) + fourth) * (step / 6.0)
 }
 
-/// The streamline through a point, half of its length upstream and half downstream, in steps of equal length. It has fewer
-/// points where the flow stands still.
+/// The streamline through a point, in steps of equal length. Half of it lies upstream and half downstream. It ends
+/// early where the flow stands still.
 pub(super) fn streamline(flow: &Flow, seed: DVec3, length: f64, steps: u32) -> Vec<DVec3> {
     let direction = |point| flow.velocity(point).normalize_or_zero();
     let step = length / f64::from(steps);
     let walk = |from: DVec3, step: f64, count: u32| -> Vec<DVec3> {
         let next = |point: &DVec3| {
             let moved = runge_kutta(direction, *point, step);
-            // Half a step at the least: around a standstill the directions cancel.
+            // At least half a step: around a point where the flow stands still, the directions cancel.
             (moved.distance(*point) > step.abs() / 2.0).then_some(moved)
         };
         let points = std::iter::successors(Some(from), next);
@@ -127,7 +127,7 @@ pub(super) fn streamline(flow: &Flow, seed: DVec3, length: f64, steps: u32) -> V
     points
 }
 
-/// A point of a circle of radius 1 across a direction's frame.
+/// A point of the circle of radius 1 that two directions span.
 pub(super) fn around([right, up]: [DVec3; 2], part: f64) -> DVec3 {
     let (sin, cos) = (TAU * part).sin_cos();
     right * cos + up * sin

@@ -2,15 +2,16 @@
 
 use crate::scene::mesh::{Mesh, Vertex};
 
-/// A surface over a grid: so many cells along u and v, and whether u or v ends where it starts.
+/// A surface over a grid: its numbers of cells along u and v, and whether u or v is closed, so that it ends where it
+/// starts.
 pub(super) struct Grid {
     pub(super) cells: [u32; 2],
-    /// A direction that is closed has no vertices of its own at its end.
+    /// Whether u and v are closed. A closed direction has no vertices of its own at its end.
     pub(super) closed: [bool; 2],
 }
 
 impl Grid {
-    /// A sheet.
+    /// A grid that is closed in neither direction.
     pub(super) fn open(u: u32, v: u32) -> Self {
         Self {
             cells: [u, v],
@@ -18,19 +19,20 @@ impl Grid {
         }
     }
 
-    /// Two triangles per cell. Saturating, because it is asked before the number is known to be small.
+    /// The number of triangles, two per cell. It saturates, because it is asked for before the number is known to be
+    /// small.
     pub(super) fn triangle_count(&self) -> u64 {
         (2 * u64::from(self.cells[0])).saturating_mul(u64::from(self.cells[1]))
     }
 
-    /// A direction that is closed has one row less. Saturating for the same reason.
+    /// The number of vertices. A closed direction has one row less. It saturates for the same reason.
     pub(super) fn vertex_count(&self) -> u64 {
         let [u, v] = [0, 1].map(|i| u64::from(self.cells[i]) + u64::from(!self.closed[i]));
         u.saturating_mul(v)
     }
 
-    /// Adds the surface to what is there already, each vertex from its u and v, 0 to 1. Triangles are counter-clockwise
-    /// for an eye on the side that (along u) x (along v) points to.
+    /// Adds the surface to a mesh. `vertex` makes each vertex from its u and v, 0 to 1. Triangles are counter-clockwise
+    /// for an eye on the side to which (along u) x (along v) points.
     pub(super) fn add_to(&self, mesh: &mut Mesh, vertex: impl Fn(f64, f64) -> Vertex) {
         let first = mesh.vertices.len() as u32;
         let [columns, rows] = self.cells;

@@ -1,13 +1,15 @@
-//! Isosurfaces: where a volume has a value.
+//! Isosurfaces: the surfaces on which a volume has a given value.
 //!
-//! By marching tetrahedra: every cell of the lattice is cut into the six tetrahedra around its diagonal from (0, 0, 0) to
-//! (1, 1, 1), and every tetrahedron with samples on both sides of the value gives one triangle or two. Neighbouring cells
-//! cut their common face alike and a tetrahedron has no ambiguous case, so there are no cracks: the surface is closed but
-//! for where it leaves the proxy box and where it meets empty cells, which have no value and no surface.
+//! They are made by marching tetrahedra. Every cell of the lattice is cut into the six tetrahedra around its diagonal
+//! from (0, 0, 0) to (1, 1, 1), and every tetrahedron with samples on both sides of the value gives one triangle or
+//! two. Neighbouring cells cut their common face alike, and a tetrahedron has no ambiguous case, so there are no
+//! cracks. The surface is closed except where it leaves the proxy box and where it meets empty cells, which have no
+//! value and no surface.
 //!
-//! It is our own because no crate found gives as much: mcubes shares no corner between triangles, so that nothing is closed;
-//! fast-surface-nets puts its corners beside the surface; ferreus_rmt follows the surface from points that one has to know;
-//! isosurface has stopped at an alpha version; isomesh says of itself that nobody has reviewed it.
+//! The code is our own because no crate was found that gives as much. In mcubes triangles share no corner, so that
+//! nothing is closed. fast-surface-nets puts its corners beside the surface. ferreus_rmt follows the surface from
+//! points that the caller has to know. isosurface has stopped at an alpha version. isomesh says of itself that nobody
+//! has reviewed it.
 
 use std::collections::HashMap;
 
@@ -19,16 +21,16 @@ use crate::error::Result;
 use crate::scene::mesh::{self, Mesh, Vertex};
 use crate::scene::volume::Volume;
 
-/// The surface where a volume has a value.
+/// The surface on which a volume has a given value.
 #[derive(Clone, Copy, Debug)]
 pub struct Isosurface<'v> {
-    /// What it is taken from.
+    /// The volume.
     pub volume: &'v Volume,
-    /// The value, above the volume's lowest and up to its highest.
+    /// The value, greater than the volume's least and at most its greatest.
     pub value: f32,
 }
 
-/// An isosurface. Its outside is where the values are lower; normals are the gradient's.
+/// An isosurface. Values are lower on its outside. Its normals are those of the gradient.
 ///
 /// # Errors
 /// No sample is lower than the value or none reaches it, or the surface has too many triangles.
@@ -36,8 +38,8 @@ pub fn isosurface(parameters: &Isosurface) -> Result<Mesh> {
     checked(parameters)
 }
 
-/// A cell's six tetrahedra, each a way from corner 0 to corner 7 along one axis after the other (bit 0 of a corner's
-/// number is x), and whether it is right-handed.
+/// A cell's six tetrahedra, and whether each is right-handed. A tetrahedron is a way from corner 0 to corner 7 along
+/// one axis after the other. Bit 0 of a corner's number stands for x.
 const TETRAHEDRA: [([usize; 4], bool); 6] = [
     ([0, 1, 3, 7], true),
     ([0, 2, 6, 7], true),
@@ -47,8 +49,8 @@ const TETRAHEDRA: [([usize; 4], bool); 6] = [
     ([0, 1, 5, 7], false),
 ];
 
-/// The corners of a tetrahedron as an even permutation, by the bits of those inside: first the one that is alone inside or
-/// outside, or the two that are inside.
+/// The corners of a tetrahedron as an even permutation, indexed by the bits of the corners inside. The corner that is
+/// alone inside or outside comes first, or the two that are inside.
 const EVEN: [[usize; 4]; 16] = [
     [0, 1, 2, 3],
     [0, 1, 2, 3],
@@ -68,7 +70,7 @@ const EVEN: [[usize; 4]; 16] = [
     [0, 1, 2, 3],
 ];
 
-/// An edge of a tetrahedron, by its ends' corners of the cell.
+/// An edge of a tetrahedron, as the two corners of the cell at its ends.
 type Edge = [usize; 2];
 
 impl Generator for Isosurface<'_> {
@@ -98,7 +100,8 @@ impl Generator for Isosurface<'_> {
         vertices
     }
 
-    /// Besides the mesh, what is known of its edges while it is made: a hash table at its fullest is half empty.
+    /// The memory for the mesh and for the table of its edges while it is made. A hash table at its fullest is half
+    /// empty.
     fn bytes(&self) -> u64 {
         let known = size_of::<((usize, usize), u32)>() as u64 * 2;
         let vertices = self.vertex_count();
@@ -111,7 +114,7 @@ impl Generator for Isosurface<'_> {
         let mirrored = self.volume.index_to_world().matrix3.determinant() < 0.0;
         self.for_each_triangle(|cell, edges| {
             let mut triangle = edges.map(|[from, to]| {
-                // All edges of all cells go along 1 to 7 from their lower end.
+                // From its lower end, an edge of any cell goes along the axes 1 to 7.
                 let first = self.offset(cell) + self.offset(corner([0; 3], from));
                 *known.entry((first, from ^ to)).or_insert_with(|| {
                     mesh.vertices.push(self.vertex(cell, [from, to]));
@@ -128,7 +131,8 @@ impl Generator for Isosurface<'_> {
 }
 
 impl Isosurface<'_> {
-    /// Every triangle, by its cell and the edges that its corners lie on; counter-clockwise seen from outside.
+    /// Calls with every triangle: its cell, and the edges on which its corners lie. Triangles are counter-clockwise as
+    /// seen from outside.
     fn for_each_triangle(&self, mut take: impl FnMut([usize; 3], [Edge; 3])) {
         let samples = self.volume.samples();
         let offsets: [usize; 8] = std::array::from_fn(|n| self.offset(corner([0; 3], n)));
@@ -154,7 +158,7 @@ impl Isosurface<'_> {
         }
     }
 
-    /// Every edge that the surface crosses, by its lower end and its axes (bit 0 is x): each has a vertex.
+    /// Every edge that the surface crosses, as its lower end and its axes (bit 0 is x). Each such edge has a vertex.
     fn for_each_crossing(&self, mut take: impl FnMut(usize, usize)) {
         let samples = self.volume.samples();
         let [nx, ny, nz] = self.volume.dims();
@@ -196,7 +200,8 @@ impl Isosurface<'_> {
         }
     }
 
-    /// By central differences over two samples, or, beside empty cells, of the cell that the place is in.
+    /// The gradient, by central differences over two samples, or, beside empty cells, from the cell that the place is
+    /// in.
     fn gradient(&self, cell: [usize; 3], index: DVec3) -> DVec3 {
         let along =
             |axis: DVec3| self.volume.at_index(index + axis) - self.volume.at_index(index - axis);
@@ -207,7 +212,7 @@ impl Isosurface<'_> {
         gradient
     }
 
-    /// The derivatives of what is interpolated between a cell's corners, at a place in it.
+    /// The derivatives, at a place in a cell, of the trilinear interpolation between its corners.
     fn gradient_within(&self, cell: [usize; 3], index: DVec3) -> DVec3 {
         let first = DVec3::from_array(cell.map(|i| i as f64));
         let part = index - first;
@@ -245,7 +250,7 @@ fn cut(
 ) {
     let bits = (0..4).fold(0, |bits, n| bits | usize::from(inside[corners[n]]) << n);
     let [a, b, c, d] = EVEN[bits].map(|n| corners[n]);
-    // The lower end first, which is the one with fewer bits: all of them lie on one way from 0 to 7.
+    // The lower end comes first. It is the one with fewer bits, because all corners lie on one way from 0 to 7.
     let edge = |i: usize, j: usize| [i.min(j), i.max(j)];
     let mut turned = |[p, q, r]: [Edge; 3], seen_from_outside: bool| {
         take(if seen_from_outside == right_handed {
@@ -261,7 +266,7 @@ fn cut(
             turned([ac, ad, bd], true);
             turned([ac, bd, bc], true);
         }
-        // The odd one out is the first of the permutation here, too.
+        // The corner that is alone is the first of the permutation here, too.
         3 => turned([edge(a, b), edge(a, c), edge(a, d)], false),
         _ => {}
     }

@@ -2,7 +2,7 @@
 
 use super::{MAX_TRIANGLES, Refusal};
 
-/// A number must be finite and within.
+/// Checks that a number is finite and in its range.
 pub(super) fn within(key: &'static str, value: f32, [low, high]: [f32; 2]) -> Result<(), Refusal> {
     if (low..=high).contains(&value) {
         return Ok(());
@@ -14,7 +14,7 @@ pub(super) fn within(key: &'static str, value: f32, [low, high]: [f32; 2]) -> Re
     ))
 }
 
-/// All numbers must be.
+/// Checks that all numbers are finite and in their range.
 pub(super) fn all_within(
     key: &'static str,
     values: &[f32],
@@ -25,7 +25,7 @@ pub(super) fn all_within(
         .try_for_each(|&value| within(key, value, range))
 }
 
-/// A whole number must be within.
+/// Checks that a whole number is in its range.
 pub(super) fn count_within(
     key: &'static str,
     value: u32,
@@ -41,19 +41,19 @@ pub(super) fn count_within(
     ))
 }
 
-/// The number of triangles must not be absurd; `key` is the parameter to turn down.
+/// Checks that the number of triangles is not too large. `key` is the parameter to reduce.
 pub(super) fn few_enough(key: &'static str, triangles: u64) -> Result<(), Refusal> {
     if triangles <= MAX_TRIANGLES {
         return Ok(());
     }
     Err(refusal(
         key,
-        format!("this makes {triangles} triangles, at most {MAX_TRIANGLES} are generated"),
+        format!("this makes {triangles} triangles, and at most {MAX_TRIANGLES} are generated"),
         format!("Give a smaller `{key}`."),
     ))
 }
 
-/// What is said about a parameter.
+/// The fault of a parameter.
 pub(super) fn refusal(
     key: &'static str,
     what: impl Into<String>,
@@ -66,7 +66,7 @@ pub(super) fn refusal(
     }
 }
 
-/// Lengths and coordinates: finite, and far from where f32 ends, so that nothing that is computed from them overflows.
+/// Lengths and coordinates. They are far from the largest f32, so that nothing that is computed from them overflows.
 pub(super) const COORDINATE: [f32; 2] = [-1e6, 1e6];
 /// Sizes.
 pub(super) const LENGTH: [f32; 2] = [1e-6, 1e6];

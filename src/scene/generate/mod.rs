@@ -1,7 +1,7 @@
-//! Scenes made by rule instead of read from a file.
+//! Meshes and volumes that are made by rule instead of read from a file.
 //!
-//! Each generator is a function of its parameters: the same ones make the same mesh, for ever. Parameters are structs
-//! with defaults, so that a call names what it changes:
+//! Each generator is a function of its parameters. The same parameters make the same mesh, for ever. Parameters are
+//! structs with defaults, so that a call names only what it changes:
 //!
 //! ```
 //! use onionskin::scene::generate::{Quads, quads};
@@ -27,7 +27,7 @@ mod slices;
 mod soup;
 mod streamlines;
 mod teapot;
-// A table, with one row of control points to a line.
+// A table with one row of control points per line.
 #[rustfmt::skip]
 mod teapot_patches;
 mod torus_knot;
@@ -57,48 +57,48 @@ use crate::error::{Error, Result};
 use crate::fragment::Rgba;
 use crate::memory::MemoryLimit;
 
-/// The most triangles that are generated, in one mesh or for one scene file: 20 million, which take some 2 GiB.
+/// The most triangles that are generated for one mesh or for one scene file: 20 million, which take some 2 GiB.
 pub const MAX_TRIANGLES: u64 = 20_000_000;
 
-/// What all generators' parameters can do.
+/// The functions that the parameters of every generator have.
 pub(super) trait Generator {
-    /// Whether every parameter is in its range, the number of triangles among them.
+    /// Checks that every parameter and the number of triangles are in their ranges.
     fn check(&self) -> Result<(), Refusal>;
 
-    /// How many triangles it makes, or may make at most.
+    /// The number of triangles, or an upper bound of it.
     fn triangle_count(&self) -> u64;
 
-    /// How many vertices it makes, or may make at most.
+    /// The number of vertices, or an upper bound of it.
     fn vertex_count(&self) -> u64;
 
-    /// How much memory the mesh takes, in bytes, before a byte of it is taken.
+    /// The memory that the mesh will take, in bytes.
     fn bytes(&self) -> u64 {
         mesh::bytes(self.vertex_count(), self.triangle_count())
     }
 
-    /// Whether its meshes have colours and opacities of their own.
+    /// Whether the generator gives its meshes colours and opacities of its own.
     fn has_colors(&self) -> bool {
         false
     }
 
-    /// The mesh; only for parameters in their ranges.
+    /// The mesh. The parameters must be in their ranges.
     fn build(&self) -> Mesh;
 }
 
-/// A parameter out of its range.
+/// The fault of a parameter that is out of its range.
 pub(super) struct Refusal {
-    /// Its name.
+    /// The parameter's name.
     pub(super) key: &'static str,
     /// What is wrong with it.
     pub(super) what: String,
-    /// What to ask for instead.
+    /// The parameter that would be right.
     pub(super) remedy: String,
 }
 
-/// The colour of what has none of its own.
+/// The colour of meshes whose generator has no colour of its own.
 const WHITE: Rgba = Rgba::opaque([1.0; 3]);
 
-/// A mesh to be filled, with room for all that its generator makes, so that it takes no more than that on the way.
+/// An empty mesh with exactly enough room for the vertices and triangles of its generator.
 fn named(name: &str, generator: &impl Generator) -> Mesh {
     let room = |count: u64| count as usize;
     Mesh {
@@ -108,7 +108,7 @@ fn named(name: &str, generator: &impl Generator) -> Mesh {
     }
 }
 
-/// The mesh, if its parameters are in their ranges and the machine has room for it.
+/// The mesh, or an error if a parameter is out of its range or the machine has too little memory.
 fn checked(generator: &impl Generator) -> Result<Mesh> {
     let refused = |refusal: Refusal| Error::usage(refusal.what, refusal.remedy);
     generator.check().map_err(refused)?;

@@ -1,24 +1,24 @@
-//! In which order parallel surfaces are submitted.
+//! The order in which parallel surfaces are submitted.
 
 use crate::scene::chance::Chance;
 
 /// An order of submission, for an eye on the +z side.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Order {
-    /// The nearest first. Of two at the same depth the one with the smaller number first.
+    /// The nearest surface first. Of two surfaces at the same depth, the one with the smaller number first.
     FrontToBack,
-    /// The exact reverse of that, which blending without any sorting draws correctly.
+    /// The exact reverse of front to back. Blending without any sorting draws it correctly.
     #[default]
     BackToFront,
-    /// As the seed decides.
+    /// A random order, given by the seed.
     Shuffled,
 }
 
 impl Order {
-    /// The numbers of the surfaces at these depths (a larger depth is further away) in the order of submission.
+    /// The numbers of the surfaces at these depths, in the order of submission. A larger depth is further away.
     pub(super) fn of(self, depths: &[f32], seed: u64) -> Vec<usize> {
         let mut numbers: Vec<usize> = (0..depths.len()).collect();
-        // Stable, so that equal depths stay in their order.
+        // The sort is stable, so that surfaces of equal depth stay in their order.
         numbers.sort_by(|&a, &b| depths[a].total_cmp(&depths[b]));
         match self {
             Self::FrontToBack => {}

@@ -11,14 +11,14 @@ use crate::scene::mesh::{Mesh, Vertex};
 /// A rectangle at y = 0, centred on the origin, facing +y.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plane {
-    /// Its extent along x and z, 1e-6 to 1e6.
+    /// The extent along x and z, 1e-6 to 1e6.
     pub size: [f32; 2],
-    /// How many cells of two triangles there are along each edge, 1 to 3162.
+    /// The number of cells along each edge, 1 to 3162. A cell has two triangles.
     pub cells: u32,
 }
 
 impl Default for Plane {
-    /// 10 by 10, one cell.
+    /// A plane of 10 by 10, of one cell.
     fn default() -> Self {
         Self {
             size: [10.0, 10.0],

@@ -13,26 +13,29 @@ use crate::scene::mesh::{Mesh, Vertex};
 /// Quads parallel to the xy plane, centred on the z axis, facing +z. Quad 0 is at z = 0, the others behind it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Quads {
-    /// How many, 1 to 10,000,000. With `depths` it must be their number.
+    /// The number of quads, 1 to 10,000,000. If `depths` is given, it must be the number of depths.
     pub count: u32,
-    /// Width and height of each, 1e-6 to 1e6.
+    /// Width and height of each quad, 1e-6 to 1e6.
     pub size: [f32; 2],
-    /// The distance from one to the next, 0 to 1e6.
+    /// The distance from one quad to the next, 0 to 1e6.
     pub spacing: f32,
-    /// Instead of `spacing`: how far each is behind z = 0, -1e6 to 1e6 and in any order. Equal ones make ties.
+    /// Instead of `spacing`: the distance of each quad behind z = 0, -1e6 to 1e6, in any order. Equal distances make
+    /// ties.
     pub depths: Vec<f32>,
-    /// Linear RGB, 0 to 1, of quad 0, 1 and so on; starts again when it ends, and must not be empty.
+    /// The colours of quad 0, quad 1 and so on, in linear RGB, 0 to 1. The list must not be empty; after its end it
+    /// starts again.
     pub colors: Vec<[f32; 3]>,
-    /// The opacity of all, 0 to 1.
+    /// The opacity of all quads, 0 to 1.
     pub alpha: f32,
     /// The order of submission.
     pub order: Order,
-    /// What [`Order::Shuffled`] goes by.
+    /// The seed of [`Order::Shuffled`].
     pub seed: u64,
 }
 
 impl Default for Quads {
-    /// Eight quads of half opacity in six colours, 2 by 2, a tenth apart, back to front.
+    /// Eight quads of half opacity in six colours. Each has a size of 2 by 2; they are 0.1 apart and submitted back to
+    /// front.
     fn default() -> Self {
         Self {
             count: 8,
@@ -47,7 +50,7 @@ impl Default for Quads {
     }
 }
 
-/// Six colours that stay apart when they are blended.
+/// Six colours that can still be told apart when they are blended.
 const PALETTE: [[f32; 3]; 6] = [
     [0.85, 0.15, 0.15],
     [0.15, 0.65, 0.2],
@@ -74,7 +77,7 @@ impl Generator for Quads {
         all_within("depths", &self.depths, COORDINATE)?;
         all_within("colors", self.colors.as_flattened(), FRACTION)?;
         within("alpha", self.alpha, FRACTION)?;
-        // The last one's depth, where the first one's is 0.
+        // The depth of the last quad, if the depth of the first is 0.
         let deepest = self.spacing * (self.count - 1) as f32;
         within("spacing", deepest, [0.0, COORDINATE[1]])?;
         if self.colors.is_empty() {

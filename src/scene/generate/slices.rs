@@ -1,4 +1,4 @@
-//! Slices through a volume: what a volume renderer with slices submits.
+//! Slices through a volume, as a volume renderer with slices submits them.
 
 use glam::{DVec3, Vec3};
 
@@ -9,13 +9,14 @@ use crate::error::Result;
 use crate::fragment::Rgba;
 use crate::scene::mesh::{Mesh, Vertex};
 
-/// Parallel slices through a cloud, parallel to the xy plane and evenly from z = `size`/2 (the first) to -`size`/2.
-/// Each is a grid with a colour and an opacity per vertex; the cloud thins out to nothing towards its cube's sides.
+/// Slices through a cloud. They are parallel to the xy plane, at equal distances from z = `size`/2 (the first) to
+/// -`size`/2. Each slice is a grid with a colour and an opacity per vertex. The cloud fades to nothing towards the
+/// sides of its cube.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Slices {
-    /// How many, 1 to 10,000,000 divided by `cells` squared.
+    /// The number of slices, 1 to 10,000,000 divided by `cells` squared.
     pub count: u32,
-    /// The edge of the cube that they fill, 1e-6 to 1e6.
+    /// The edge of the cube that the slices fill, 1e-6 to 1e6.
     pub size: f32,
     /// Cells along each edge of a slice, 1 to 3162.
     pub cells: u32,
@@ -23,7 +24,7 @@ pub struct Slices {
     pub alpha: f32,
     /// The order of submission.
     pub order: Order,
-    /// What [`Order::Shuffled`] goes by.
+    /// The seed of [`Order::Shuffled`].
     pub seed: u64,
 }
 
@@ -53,7 +54,7 @@ impl Generator for Slices {
     fn check(&self) -> Result<(), Refusal> {
         count_within("count", self.count, [1, u32::MAX])?;
         within("size", self.size, LENGTH)?;
-        // So that the product below stays in range.
+        // This keeps the product below in range.
         count_within("cells", self.cells, [1, 3162])?;
         within("alpha", self.alpha, FRACTION)?;
         few_enough("count", self.triangle_count())
@@ -89,7 +90,7 @@ impl Generator for Slices {
 }
 
 impl Slices {
-    /// 0 for the first slice, 1 for the last; a single one is in the middle.
+    /// The place of a slice: 0 for the first, 1 for the last. A single slice is in the middle.
     fn depth(&self, slice: u32) -> f32 {
         match self.count {
             1 => 0.5,
@@ -109,9 +110,9 @@ impl Slices {
     }
 }
 
-/// Three soft balls in the cube from -1 to 1, between 0 and 1, and 0 on the cube's surface.
+/// The density of three soft balls in the cube from -1 to 1. It is between 0 and 1, and 0 on the cube's surface.
 fn density(point: DVec3) -> f64 {
-    /// Middle, and how fast it thins out.
+    /// The middle of each ball, and how fast its density falls.
     const BALLS: [(DVec3, f64); 3] = [
         (DVec3::new(-0.2, 0.1, 0.0), 5.0),
         (DVec3::new(0.35, -0.25, 0.3), 9.0),
@@ -122,7 +123,7 @@ fn density(point: DVec3) -> f64 {
     window * (1.0 - clear.into_iter().product::<f64>())
 }
 
-/// From blue where the cloud is thin through white to orange where it is dense.
+/// The colour of a density: blue where the cloud is thin, then white, then orange where it is dense.
 fn color(density: f32) -> [f32; 3] {
     const THIN: Vec3 = Vec3::new(0.15, 0.3, 0.8);
     const MIDDLE: Vec3 = Vec3::new(0.9, 0.9, 0.85);

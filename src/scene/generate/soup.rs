@@ -1,4 +1,4 @@
-//! Triangles anywhere, in any colour.
+//! Soups: random triangles of random colours.
 
 use glam::Vec3;
 
@@ -10,23 +10,23 @@ use crate::scene::chance::Chance;
 use crate::scene::mesh::{Mesh, Vertex};
 use crate::scene::normals;
 
-/// Random triangles, of which the seed decides everything.
+/// Random triangles. The seed decides everything about them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Soup {
-    /// How many, 1 to 20,000,000. A larger count with the same seed starts with the same triangles.
+    /// The number of triangles, 1 to 20,000,000. A larger soup with the same seed starts with the same triangles.
     pub count: u32,
-    /// Their middles are in a cube from -`extent` to `extent`, 1e-6 to 1e6.
+    /// The triangles' middles are in a cube from -`extent` to `extent`, 1e-6 to 1e6.
     pub extent: f32,
-    /// The edge of the cube that a triangle's corners are in: the smallest and the largest, 1e-6 to 1e6.
+    /// The corners of a triangle are in a cube. These are its smallest and its largest edge, 1e-6 to 1e6.
     pub triangle_size: [f32; 2],
-    /// The lowest and the highest opacity, 0 to 1. Each triangle has one.
+    /// The lowest and the highest opacity of a triangle, 0 to 1. Its vertices have the same.
     pub alpha: [f32; 2],
-    /// Which soup.
+    /// The seed.
     pub seed: u64,
 }
 
 impl Default for Soup {
-    /// 1000 triangles with sizes 0.2 to 0.8 and opacities 0.2 to 0.8 in a cube from -1 to 1.
+    /// 1000 triangles in a cube from -1 to 1, with sizes and opacities of 0.2 to 0.8.
     fn default() -> Self {
         Self {
             count: 1000,
@@ -102,7 +102,7 @@ impl Soup {
     }
 }
 
-/// A vector in a cube from -`half` to `half`.
+/// A random vector in a cube from -`half` to `half`.
 fn vector(chance: &mut Chance, half: f32) -> Vec3 {
     Vec3::from_array([(); 3].map(|()| chance.between(-half, half)))
 }

@@ -10,15 +10,15 @@ use crate::scene::mesh::Mesh;
 /// Streamlines as closed tubes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Streamlines {
-    /// What they follow, and the points that they go through, one each.
+    /// The flow, and the points through which the lines go, one point per line.
     pub seeds: Seeds,
-    /// How long a line is, half of it upstream of its seed; 1e-6 to 1e6.
+    /// The length of a line, 1e-6 to 1e6. Half of it lies upstream of the seed.
     pub length: f32,
-    /// Steps along a line, 2 to 100,000.
+    /// The number of steps along a line, 2 to 100,000.
     pub steps: u32,
     /// The radius of a tube, 1e-6 to 1e6.
     pub tube: f32,
-    /// Sides of a tube, 3 to 1,000.
+    /// The number of sides of a tube, 3 to 1,000.
     pub sides: u32,
 }
 
@@ -53,7 +53,7 @@ impl Generator for Streamlines {
         few_enough("count", self.triangle_count())
     }
 
-    /// At most: a line that ends early has fewer.
+    /// An upper bound: a line that ends early has fewer.
     fn triangle_count(&self) -> u64 {
         let rings = u64::from(self.steps) + 1;
         u64::from(self.seeds.count) * tube::triangles_of(rings, u64::from(self.sides))

@@ -9,23 +9,23 @@ use super::{Generator, Refusal, WHITE, checked, named};
 use crate::error::Result;
 use crate::scene::mesh::{Mesh, Vertex};
 
-/// The teapot standing on y = 0 with its spout at +x, 3.15 high, in the published size. Its spout is open and so is the
-/// gap between lid and rim, and body, handle and spout go through each other: with two-sided shading one sees inside.
+/// The teapot in its published size. It stands on y = 0, is 3.15 high, and has its spout at +x. The spout is open, and
+/// so is the gap between lid and rim. Body, handle and spout go through each other. Two-sided shading shows the inside.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Teapot {
-    /// Cells along each edge of a patch, 1 to 559.
+    /// The number of cells along each edge of a patch, 1 to 559.
     pub cells: u32,
 }
 
 impl Default for Teapot {
-    /// 6320 triangles.
+    /// A teapot of 6320 triangles.
     fn default() -> Self {
         Self { cells: 10 }
     }
 }
 
-/// The teapot: 64 `cells`² triangles, less the 8 `cells` that vanish at the poles (and, with one cell, 4 at the spout's
-/// lip, whose corners are on one line). Normals are the patches' own.
+/// The teapot. It has 64 `cells`² triangles, less 8 `cells` that vanish at the poles. With one cell, 4 more vanish at
+/// the spout's lip, because their corners are on one line. Normals are those of the patches.
 ///
 /// # Errors
 /// `cells` is out of its range.
@@ -61,7 +61,7 @@ impl Generator for Teapot {
     }
 }
 
-/// All 32, u and v such that (along u) x (along v) points out of the pot.
+/// All 32 patches. (along u) x (along v) points out of the pot.
 fn patches() -> impl Iterator<Item = Patch> {
     let quarters = QUARTERS.iter().flat_map(|patch| {
         let opposite = mirrored(&mirrored(patch, 0), 1);
@@ -71,7 +71,7 @@ fn patches() -> impl Iterator<Item = Patch> {
     quarters.chain(halves)
 }
 
-/// The mirror image in an axis. Its rows run the other way, so that its outside stays outside.
+/// The mirror image of a patch in an axis. Its rows run the other way, so that its outside stays outside.
 fn mirrored(patch: &Patch, axis: usize) -> Patch {
     patch.map(|mut row| {
         row.reverse();
@@ -84,7 +84,8 @@ fn mirrored(patch: &Patch, axis: usize) -> Patch {
 
 /// A point of a patch, turned so that y is up.
 fn vertex(patch: &Patch, u: f64, v: f64) -> Vertex {
-    // In 32 bits, so that the corners of neighbouring patches, and all those of a pole, are in one place to the last bit.
+    // Rounded to 32 bits, so that the corners of neighbouring patches, and all corners at a pole, coincide to the last
+    // bit.
     let upright = |point: DVec3| dvec3(point.x, point.z, -point.y).as_vec3();
     Vertex {
         position: upright(sum(patch, weights(u), weights(v))).as_dvec3(),
@@ -93,13 +94,13 @@ fn vertex(patch: &Patch, u: f64, v: f64) -> Vertex {
     }
 }
 
-/// The unit normal. At a pole a whole row of control points is one point, so that the patch does not change along u;
-/// just beside it, it does by the mixed derivative times the distance, and the normal's limit follows from that.
+/// The unit normal. At a pole a whole row of control points is one point, so the derivative along u is 0. Just beside
+/// the pole it is the mixed derivative times the distance, which gives the limit of the normal.
 fn normal(patch: &Patch, u: f64, v: f64) -> DVec3 {
     let along_u = sum(patch, slopes(u), weights(v));
     let along_v = sum(patch, weights(u), slopes(v));
-    // The teapot's lengths are around 1: this is far above the rounding of its derivatives, and far below all of them
-    // that are not 0.
+    // The teapot's lengths are around 1. So this is far above the rounding of derivatives, and far below all
+    // derivatives that are not 0.
     if along_u.length() > 1e-9 {
         return along_u.cross(along_v).normalize();
     }
@@ -108,7 +109,7 @@ fn normal(patch: &Patch, u: f64, v: f64) -> DVec3 {
     beside.cross(along_v).normalize()
 }
 
-/// The control points by the weights along u (within a row) and along v (from row to row).
+/// The sum of the control points, weighted along u (within a row) and along v (from row to row).
 fn sum(patch: &Patch, along_u: [f64; 4], along_v: [f64; 4]) -> DVec3 {
     let rows = patch.iter().zip(along_v);
     let points = rows.flat_map(|(row, by_v)| {
@@ -126,7 +127,7 @@ fn weights(t: f64) -> [f64; 4] {
     [s * s * s, 3.0 * s * s * t, 3.0 * s * t * t, t * t * t]
 }
 
-/// Their derivatives.
+/// The derivatives of the cubic Bernstein polynomials.
 fn slopes(t: f64) -> [f64; 4] {
     let s = 1.0 - t;
     [

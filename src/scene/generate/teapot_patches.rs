@@ -1,16 +1,17 @@
 //! The control points of the Utah teapot, as Martin Newell measured and published them in 1975, with the bottom that
-//! was added later. Data, not code: 32 bicubic patches, of which the pot's symmetry leaves ten to be written down.
+//! was added later. There are 32 bicubic patches; because of the pot's symmetry, ten of them suffice.
 //!
-//! z is up here, the spout is at +x. Four rows of four points each; rows run along the first parameter of a patch,
-//! points within a row along the second.
+//! Here z is up, and the spout is at +x. A patch has four rows of four points. Rows run along the first parameter of a
+//! patch, points within a row along the second.
 
 /// A patch's control points.
 pub(super) type Patch = [[[f32; 3]; 4]; 4];
 
-/// Surfaces around the axis: the quarter between +x and -y. The others are its mirror images in x, in y, and in both.
+/// Surfaces around the axis: the quarter between +x and -y. The other quarters are its mirror images in x, in y, and in
+/// both.
 pub(super) const QUARTERS: [Patch; 6] = [RIM, UPPER_BODY, LOWER_BODY, KNOB, LID, BOTTOM];
 
-/// Surfaces with one plane of symmetry: the half with negative y. The other is its mirror image in y.
+/// Surfaces with one plane of symmetry: the half with negative y. The other half is its mirror image in y.
 pub(super) const HALVES: [Patch; 4] = [UPPER_HANDLE, LOWER_HANDLE, LOWER_SPOUT, UPPER_SPOUT];
 
 const RIM: Patch = [
@@ -48,7 +49,7 @@ const LID: Patch = [
     [[1.3, 0.0, 2.4], [1.3, -0.728, 2.4], [0.728, -1.3, 2.4], [0.0, -1.3, 2.4]],
 ];
 
-/// From the rim to the middle, so that it goes on where the body ends.
+/// The bottom, from the rim to the middle, so that it continues where the body ends.
 const BOTTOM: Patch = [
     [[1.5, 0.0, 0.15], [1.5, -0.84, 0.15], [0.84, -1.5, 0.15], [0.0, -1.5, 0.15]],
     [[1.5, 0.0, 0.075], [1.5, -0.84, 0.075], [0.84, -1.5, 0.075], [0.0, -1.5, 0.075]],

@@ -13,9 +13,10 @@ use crate::scene::mesh::{Mesh, Vertex};
 /// A (p, q) torus knot around the z axis, as a closed tube.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TorusKnot {
-    /// How often it goes around the axis, 1 to 100.
+    /// How often the knot goes around the axis, 1 to 100.
     pub p: u32,
-    /// How often it goes through the torus's hole, 0 to 100; without a common divisor with `p`. 0 is a plain torus.
+    /// How often the knot goes through the torus's hole, 0 to 100. It has no common divisor with `p`. 0 gives a plain
+    /// torus.
     pub q: u32,
     /// The radius of the torus's core, 1e-6 to 1e6.
     pub radius: f32,
@@ -23,9 +24,9 @@ pub struct TorusKnot {
     pub winding: f32,
     /// The radius of the tube, 1e-6 to 1e6. A tube too thick for its curve goes through itself.
     pub tube: f32,
-    /// Pieces along the curve, 3 to 3,333,333.
+    /// The number of pieces along the curve, 3 to 3,333,333.
     pub segments: u32,
-    /// Sides of the tube, 3 to 3,333,333.
+    /// The number of sides of the tube, 3 to 3,333,333.
     pub sides: u32,
 }
 
@@ -106,12 +107,13 @@ impl Generator for TorusKnot {
     }
 }
 
-/// A point of the curve, and two directions across the curve there that turn back to themselves when it closes.
+/// A point of the curve, and two directions across the curve at this point. Both are the same again when the curve
+/// closes.
 struct Frame {
     point: DVec3,
-    /// Off the torus.
+    /// The direction away from the torus.
     away: DVec3,
-    /// Along the torus.
+    /// The direction along the torus.
     across: DVec3,
 }
 
@@ -130,7 +132,7 @@ impl TorusKnot {
         let (sin_q, cos_q) = (q * angle).sin_cos();
         let outwards = DVec3::new(cos_p, sin_p, 0.0);
         let around = DVec3::new(-sin_p, cos_p, 0.0);
-        // The torus's normal, so across the curve, which runs in the torus.
+        // The torus's normal. It is perpendicular to the curve, which runs in the torus.
         let away = outwards * cos_q + DVec3::Z * sin_q;
         let inward_turn = DVec3::Z * cos_q - outwards * sin_q;
         let tangent = around * (p * (radius + winding * cos_q)) + inward_turn * (q * winding);

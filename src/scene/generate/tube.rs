@@ -5,28 +5,28 @@ use glam::DVec3;
 use super::flow::around;
 use crate::scene::mesh::{Mesh, Vertex};
 
-/// A circle of a tube.
+/// A ring of a tube.
 #[derive(Clone, Copy)]
 pub(super) struct Ring {
     pub(super) centre: DVec3,
     pub(super) radius: f64,
 }
 
-/// How many triangles a tube has.
+/// The number of triangles of a tube.
 pub(super) fn triangles_of(rings: u64, sides: u64) -> u64 {
     2 * sides * rings.max(1)
 }
 
-/// How many vertices it has: its rings', and one more at each end.
+/// The number of vertices of a tube: those of its rings, and one more at each end.
 pub(super) fn vertices_of(rings: u64, sides: u64) -> u64 {
     sides * rings + 2
 }
 
-/// Adds a tube through two rings or more, closed by fans to a point before the first one and one after the last one. Every
-/// edge belongs to two triangles, counter-clockwise seen from outside.
+/// Adds a tube through two or more rings. Fans close it, to a point before the first ring and to a point after the last
+/// one. Every edge belongs to two triangles. Triangles are counter-clockwise as seen from outside.
 pub(super) fn add(mesh: &mut Mesh, rings: &[Ring], [start, end]: [DVec3; 2], sides: u32) {
     let first = mesh.vertices.len() as u32;
-    // Where two rings share a centre, as at an arrow's neck, the whole line's direction will do.
+    // Where two rings share a centre, as at an arrow's neck, the direction of the whole line is taken.
     let whole = (end - start).normalize_or(DVec3::Z);
     let tangent = |n: usize| {
         let (before, after) = (n.saturating_sub(1), (n + 1).min(rings.len() - 1));
@@ -35,7 +35,7 @@ pub(super) fn add(mesh: &mut Mesh, rings: &[Ring], [start, end]: [DVec3; 2], sid
     let mut right = tangent(0).any_orthonormal_vector();
     for (n, ring) in rings.iter().enumerate() {
         let along = tangent(n);
-        // Carried along the line, so that the tube does not twist.
+        // The frame is carried along the line, so that the tube does not twist.
         right = (right - along * right.dot(along)).normalize_or(along.any_orthonormal_vector());
         let frame = [right, along.cross(right)];
         mesh.vertices.extend((0..sides).map(|side| {

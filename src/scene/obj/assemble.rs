@@ -1,4 +1,4 @@
-//! From `tobj`'s runs of triangles to meshes.
+//! Making meshes from `tobj`'s runs of triangles.
 
 use glam::{DVec3, Vec3};
 
@@ -7,17 +7,17 @@ use crate::fragment::Rgba;
 use crate::scene::mesh::{Mesh, Vertex};
 use crate::scene::normals;
 
-/// The colour of what has no other.
+/// The colour of meshes without a colour of their own.
 const DEFAULT_COLOR: [f32; 3] = [1.0, 1.0, 1.0];
 
-/// What the numbers stand for that `tobj` was given in place of names and colours.
+/// The names and colours for which `tobj` was given numbers.
 pub(super) struct Legend {
     pub(super) names: Vec<String>,
     pub(super) materials: Vec<String>,
     pub(super) colors: Vec<Option<[f32; 4]>>,
 }
 
-/// One mesh per run, in their order.
+/// One mesh per run, in the order of the runs.
 pub(super) fn meshes(
     models: Vec<tobj::Model>,
     materials: &[tobj::Material],
@@ -66,7 +66,7 @@ fn mesh(
     }
 }
 
-/// The file's normals at unit length; smooth ones where it has none, or one of length zero.
+/// The file's normals at unit length. Where the file has no normal, or one of length zero, the normal is smooth.
 fn all_normals(positions: &[DVec3], given: &[DVec3], triangles: &[[u32; 3]]) -> Vec<Vec3> {
     let unit = |normal: &DVec3| normal.try_normalize().map(|unit| unit.as_vec3());
     let given: Vec<Option<Vec3>> = given.iter().map(unit).collect();
@@ -87,7 +87,7 @@ fn vectors(numbers: &[f64]) -> impl Iterator<Item = DVec3> {
 }
 
 fn name(model: &tobj::Model, material: Option<&tobj::Material>, legend: &Legend) -> String {
-    // What stands before the first name is called as `tobj` calls it.
+    // Faces before the first name have `tobj`'s own name.
     let name = named(&legend.names, &model.name);
     let name = name.map_or("unnamed_object", String::as_str);
     let material = material.and_then(|material| named(&legend.materials, &material.name));
@@ -97,7 +97,7 @@ fn name(model: &tobj::Model, material: Option<&tobj::Material>, legend: &Legend)
     }
 }
 
-/// The name that a number stands for, unless it is empty.
+/// The name that a number stands for, or `None` if the name is empty.
 fn named<'a>(names: &'a [String], number: &str) -> Option<&'a String> {
     let number: usize = number.parse().ok()?;
     names.get(number).filter(|name| !name.is_empty())

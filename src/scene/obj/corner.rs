@@ -6,7 +6,8 @@ use super::notes::{Note, Notes};
 use super::words;
 use crate::error::{Error, Place, Result};
 
-/// How many of each kind stand above a line, which is what negative indices count back from; or in the whole file.
+/// The numbers of vertices, texture coordinates and normals above a line, from which negative indices count back, or in
+/// the whole file.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Counts {
     pub(super) positions: usize,
@@ -14,15 +15,15 @@ pub(super) struct Counts {
     pub(super) normals: usize,
 }
 
-/// A corner's indices, from 0.
+/// The indices of a corner, from 0.
 #[derive(Clone, Copy)]
 pub(super) struct Corner {
     pub(super) position: usize,
-    /// `None` if it names none or none that is there.
+    /// `None` if the corner names none, or one that does not exist.
     pub(super) normal: Option<usize>,
 }
 
-/// Where a corner stands.
+/// The place of a corner in the file.
 pub(super) struct Here<'a> {
     pub(super) path: &'a Path,
     pub(super) line: usize,
@@ -30,7 +31,7 @@ pub(super) struct Here<'a> {
     pub(super) all: Counts,
 }
 
-/// What is wrong with an index.
+/// The fault of an index.
 enum Bad {
     Missing,
     NoNumber,
@@ -39,7 +40,7 @@ enum Bad {
 }
 
 impl Corner {
-    /// Reads one. Only the vertex must be there: the rest is counted.
+    /// Reads a corner. Only the vertex must exist. Missing texture coordinates and normals are counted.
     pub(super) fn read(word: &[u8], here: &Here, notes: &mut Notes) -> Result<Self> {
         let mut parts = word.split(|&byte| byte == b'/');
         let position = parts.next().unwrap_or_default();
@@ -47,7 +48,7 @@ impl Corner {
             .map_err(|bad| here.refuse(word, &bad))?;
         let texture = parts.next();
         let normal = parts.next();
-        // `1//2` has none, `1/` should have had one.
+        // `1//2` names none, `1/` should have named one.
         let texture = texture.filter(|part| !(part.is_empty() && normal.is_some()));
         if texture.is_some_and(|part| index(part, here.above.texture, here.all.texture).is_err()) {
             notes.count(Note::NoTexture, here.line, word);
@@ -66,7 +67,7 @@ impl Corner {
     }
 }
 
-/// An index from 1 up to all that there are, or from -1 down to the first.
+/// Resolves an index, which counts from 1 up, or from -1 down to the first element.
 fn index(part: &[u8], above: usize, all: usize) -> Result<usize, Bad> {
     if part.is_empty() {
         return Err(Bad::Missing);
@@ -123,7 +124,7 @@ impl Here<'_> {
         }
     }
 
-    /// Something is wrong with this word of the line.
+    /// The error for this word of the line.
     pub(super) fn wrong(&self, word: &[u8], what: impl Into<String>, remedy: &str) -> Error {
         let place = Place::line(self.path, self.line).token(&words::shown(word));
         Error::input(place, what, remedy)

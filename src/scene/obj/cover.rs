@@ -1,28 +1,28 @@
-//! How triangles cover a polygon.
+//! The triangles that cover a polygon.
 
 use glam::DVec3;
 
-/// What a polygon is drawn as.
+/// The triangles of a polygon.
 pub(super) enum Cover {
-    /// The first corner with each two that follow each other.
+    /// A fan: the first corner with each two consecutive corners.
     Fan,
-    /// The same, though it may lie over itself: what is inside cannot be told.
+    /// A fan that may lie over itself, because inside and outside cannot be told apart.
     Tangled,
-    /// These corners. Those beyond the polygon's own are the added ones.
+    /// Triangles of these corners. Numbers beyond the polygon's own corners are added corners.
     Triangles {
         triangles: Vec<[usize; 3]>,
         added: Vec<Point>,
-        /// Whether edges cross.
+        /// Whether edges of the polygon cross.
         crossed: bool,
     },
 }
 
-/// Where two edges cross.
+/// The crossing of two edges.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Point {
     pub(super) place: DVec3,
     /// The corners at the ends of one of the edges.
     pub(super) between: [usize; 2],
-    /// How far it is from the first to the second, from 0 to 1.
+    /// The place of the crossing between them, from 0 to 1.
     pub(super) at: f64,
 }

@@ -1,6 +1,6 @@
-//! What lies within a polygon by the even-odd rule, as triangles: those of a Delaunay triangulation that has the
-//! polygon's edges among its own. Edges may touch, overlap and cross; every corner stays a corner, so that neighbours
-//! that share one leave no gap.
+//! The inside of a polygon by the even-odd rule, as triangles. They come from a Delaunay triangulation that has the
+//! polygon's edges among its own. Edges may touch, overlap and cross. Every corner stays a corner, so that neighbouring
+//! polygons that share one leave no gap.
 
 use std::collections::HashMap;
 
@@ -15,27 +15,27 @@ use super::outline::{Edge, Outline, Runs};
 type Delaunay = ConstrainedDelaunayTriangulation<Point2<f64>>;
 type Side<'a> = DirectedEdgeHandle<'a, Point2<f64>, (), CdtEdge<()>, ()>;
 
-/// How often edges are cut where they cross. Once is enough but for rounding, which may move a piece across another.
+/// How often edges are cut where they cross. Once is enough, except where rounding moves a piece across another.
 const MOST_CUTS: usize = 8;
 
-/// Edges that have at most so many in their way cost next to nothing.
+/// Edges with at most so many edges in their way cost next to nothing.
 const FEW: usize = 256;
 
-/// How much may still be spent on edges that have many others in their way. Those of corners in one long row take a time
-/// that grows with the square of their number, and a model may have many.
+/// The work that may still be spent on edges with many others in their way. Edges of corners in one long row take a
+/// time that grows with the square of their number, and a model may have many such rows.
 pub(super) struct Effort(usize);
 
 impl Default for Effort {
-    /// A second or so.
+    /// About a second of work.
     fn default() -> Self {
         Self(1 << 25)
     }
 }
 
-/// Covers a polygon that `flat` has on a plane and `places` in space.
+/// Covers a polygon. `flat` has its corners on a plane, `places` has them in space.
 pub(super) fn cover(flat: &[DVec2], places: &[DVec3], effort: &mut Effort) -> Cover {
     let mut outline = Outline::new(flat);
-    // One that goes to and fro more often than this is noise.
+    // A polygon that goes to and fro more often than this is noise.
     if outline.spikes > 64 + flat.len() / 256 {
         return Cover::Tangled;
     }
@@ -54,7 +54,7 @@ pub(super) fn cover(flat: &[DVec2], places: &[DVec3], effort: &mut Effort) -> Co
     Cover::Tangled
 }
 
-/// The triangles with the polygon's numbers for its corners.
+/// The triangles, with the polygon's numbers of its corners.
 fn named(outline: &Outline, within: &[[usize; 3]], places: &[DVec3], crossed: bool) -> Cover {
     let own = outline.first.len();
     let name = |corner: usize| match corner.checked_sub(own) {
@@ -77,18 +77,18 @@ fn named(outline: &Outline, within: &[[usize; 3]], places: &[DVec3], crossed: bo
     }
 }
 
-/// An outline in a triangulation, and how the polygon runs along the edges of that.
+/// An outline in a triangulation, and how the polygon runs along the triangulation's edges.
 struct Plane {
     delaunay: Delaunay,
     runs: HashMap<[usize; 2], Runs>,
 }
 
-/// What came of drawing an outline.
+/// The result of drawing an outline.
 enum Drawn {
     Whole(Plane),
-    /// Two edges cross.
+    /// Two edges of it cross.
     Crossed,
-    /// Edges run over each other too often to be more than noise.
+    /// Its edges run over each other too often; it is noise.
     Tangled,
 }
 
@@ -97,7 +97,7 @@ impl Plane {
         let places = outline.places.iter();
         let places: Vec<Point2<f64>> = places.map(|place| Point2::new(place.x, place.y)).collect();
         let count = places.len();
-        // Many corners on a line would take quadratic time all at once.
+        // Many corners on a line would take quadratic time if they were inserted all at once.
         let (turning, others) = places.split_at(outline.turning);
         let Ok(mut delaunay) = Delaunay::bulk_load_cdt(turning.to_vec(), Vec::new()) else {
             return Drawn::Tangled;
@@ -114,7 +114,7 @@ impl Plane {
             delaunay,
             runs: HashMap::new(),
         };
-        // Pieces in all: edges with a few corners on them, not each with all.
+        // This bounds the number of pieces: a few edges may have corners on them, but not each edge all corners.
         let mut left = 8 * count + 256;
         for edge in &outline.edges {
             if plane.pay(edge, effort).is_none() {
@@ -132,8 +132,8 @@ impl Plane {
         Drawn::Whole(plane)
     }
 
-    /// Makes an edge one of the triangulation, in several pieces where there are corners on it, and notes how the
-    /// polygon runs along them. The number of pieces; 0 if the edge crosses another.
+    /// Adds an edge to the triangulation, in several pieces if there are corners on it, and notes how the polygon runs
+    /// along the pieces. Returns the number of pieces, or 0 if the edge crosses another.
     fn draw(&mut self, edge: &Edge) -> usize {
         let [from, to] = edge.ends.map(FixedVertexHandle::from_index);
         let pieces = self.delaunay.try_add_constraint(from, to);
@@ -145,8 +145,8 @@ impl Plane {
         pieces.len()
     }
 
-    /// Takes what it may cost to draw an edge from what is left: the square of the edges in its way. `None` if it is
-    /// too much.
+    /// Spends the work of drawing an edge, which is the squared number of edges in its way. `None` if more is needed
+    /// than is left.
     fn pay(&self, edge: &Edge, effort: &mut Effort) -> Option<()> {
         let [from, to] = edge.ends.map(FixedVertexHandle::from_index);
         let met = LineIntersectionIterator::new_from_handles(&self.delaunay, from, to);
@@ -162,7 +162,7 @@ impl Plane {
         ends(self.delaunay.directed_edge(piece))
     }
 
-    /// The triangles within. `None` if it depends on the way there whether one is.
+    /// The triangles inside. `None` if it depends on the path whether a triangle is inside.
     fn within(&self) -> Option<Vec<[usize; 3]>> {
         let turns = self.turns()?;
         let faces = self.delaunay.inner_faces();
@@ -180,15 +180,15 @@ impl Plane {
             facing.collect()
         };
         let odd = taken(|turns| turns.count % 2 == 1);
-        // An outline that is run along twice would have nothing within.
+        // An outline that the polygon follows twice would have no inside.
         Some(match odd.is_empty() {
             true => taken(|turns| turns.net != 0),
             false => odd,
         })
     }
 
-    /// How often, for each face, a way to it from outside crosses the polygon, and how often the polygon runs around
-    /// it counter-clockwise.
+    /// For each face, how often a path to it from outside crosses the polygon, and how often the polygon runs around it
+    /// counter-clockwise.
     fn turns(&self) -> Option<Vec<Runs>> {
         let mut turns: Vec<Option<Runs>> = vec![None; self.delaunay.num_all_faces()];
         turns[self.delaunay.outer_face().fix().index()] = Some(Runs::default());
@@ -215,7 +215,7 @@ impl Plane {
         turns.into_iter().collect()
     }
 
-    /// What holds to the right of a side, if this holds to its left.
+    /// The same numbers to the right of a side, from those to its left.
     fn beyond(&self, left: Runs, side: Side) -> Runs {
         let [from, to] = ends(side);
         let runs = self.runs.get(&[from.min(to), from.max(to)]).copied();

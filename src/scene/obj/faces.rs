@@ -1,4 +1,4 @@
-//! Faces, and what they belong to: objects, groups, materials, smoothing groups.
+//! Faces, and their objects, groups, materials and smoothing groups.
 
 use std::collections::HashMap;
 use std::fmt::Write;
@@ -16,39 +16,40 @@ use super::vertices::Vertices;
 use super::words;
 use crate::error::Result;
 
-/// The most corners a polygon may have: a line with more is no polygon that somebody drew.
+/// The most corners of a polygon. Nobody draws a polygon with more.
 const MAX_CORNERS: usize = 1 << 16;
 
-/// A material that faces are said to have.
+/// The name of a material that faces use.
 pub(super) struct Used {
     pub(super) name: Vec<u8>,
-    /// Where first.
+    /// The first line that uses it.
     pub(super) line: usize,
 }
 
-/// A model as `tobj` reads it without surprises.
+/// A model in the plain form that is passed to `tobj`.
 pub(super) struct Faces<'a> {
     path: &'a Path,
     vertices: &'a Vertices,
     above: Counts,
     all: Counts,
     smoothing: Smoothing,
-    /// `v`, `vn`, `vt`, `f`, `g`, `usemtl`, and at the top one `mtllib` that stands for them all. Names are numbers.
+    /// Statements `v`, `vn`, `vt`, `f`, `g` and `usemtl`, and at the top one `mtllib` that stands for all. Numbers
+    /// stand in place of names.
     pub(super) text: String,
-    /// What vertices that `text` adds are coloured like.
+    /// The colours of vertices that `text` adds.
     pub(super) colors: Vec<Option<[f32; 4]>>,
-    /// The names of objects and groups, each at the number that stands for it.
+    /// The names of objects and groups, each at its number.
     pub(super) names: Vec<String>,
-    /// The materials, each at the number that stands for it.
+    /// The materials, each at its number.
     pub(super) materials: Vec<Used>,
     numbers: HashMap<Vec<u8>, usize>,
-    /// What each `mtllib` names, with its line.
+    /// The text after each `mtllib`, with its line.
     pub(super) libraries: Vec<(Vec<u8>, usize)>,
-    /// What the comments at the head of the file say.
+    /// The comments at the head of the file.
     pub(super) head: Vec<u8>,
-    /// How many are drawn.
+    /// The number of faces that are drawn.
     pub(super) count: usize,
-    /// How many vertices `text` has.
+    /// The number of vertices of `text`.
     written: usize,
     effort: Effort,
     corners: Vec<Corner>,
@@ -56,7 +57,7 @@ pub(super) struct Faces<'a> {
 }
 
 impl<'a> Faces<'a> {
-    /// Goes through a file for them.
+    /// Reads the faces of a file.
     pub(super) fn of(
         path: &'a Path,
         bytes: &[u8],
@@ -121,7 +122,7 @@ impl<'a> Faces<'a> {
             b"vn" => self.above.normals += 1,
             b"vt" => self.above.texture += 1,
             b"f" | b"fo" => self.face(number, rest, notes)?,
-            // To the reader objects and groups are the same.
+            // Objects and groups are treated alike.
             b"o" | b"g" => {
                 let _ = writeln!(self.text, "g {}", self.names.len());
                 self.names.push(words::shown(rest));
@@ -138,7 +139,7 @@ impl<'a> Faces<'a> {
         Ok(())
     }
 
-    /// Without a name it is the white material, which is the one of what is not defined.
+    /// Without a name it is the white material, which undefined materials also get.
     fn material(&mut self, line: usize, name: &[u8]) {
         if name.is_empty() {
             self.text.push_str("usemtl none\n");
@@ -197,7 +198,7 @@ impl<'a> Faces<'a> {
         Ok(())
     }
 
-    /// Writes a face of which all corners have a place.
+    /// Writes a face whose corners all have a place.
     fn polygon(&mut self, line: usize, rest: &[u8], notes: &mut Notes) {
         let needs_group = self.corners.iter().any(|corner| corner.normal.is_none());
         let group = match needs_group {
@@ -234,7 +235,7 @@ impl<'a> Faces<'a> {
         }
     }
 
-    /// All corners in a line, of which `tobj` makes a fan.
+    /// All corners in one line, from which `tobj` makes a fan.
     fn fan(&mut self, group: Option<usize>) {
         self.text.push('f');
         for corner in 0..self.corners.len() {
@@ -245,10 +246,10 @@ impl<'a> Faces<'a> {
 
     fn corner(&mut self, corner: Corner, group: Option<usize>) {
         let position = corner.position + 1;
-        // Normal 1 stands for none.
+        // Normal 1 stands for no normal.
         let normal = corner.normal.map_or(1, |normal| normal + 2);
         let has_normals = self.all.normals > 0;
-        // What has a normal needs no group.
+        // A corner with a normal needs no smoothing group.
         let group = group.filter(|_| corner.normal.is_none());
         let _ = match (group, has_normals) {
             (None, false) => write!(self.text, " {position}"),
@@ -258,7 +259,7 @@ impl<'a> Faces<'a> {
         };
     }
 
-    /// One corner more, where two edges of the polygon cross, between those of one edge.
+    /// Adds a corner where two edges of the polygon cross, between the corners of one edge.
     fn add(&mut self, point: Point) {
         let [from, to] = point.between.map(|corner| self.corners[corner]);
         let color = self.colors.len();
@@ -278,7 +279,7 @@ impl<'a> Faces<'a> {
     }
 }
 
-/// Keywords of the format that change nothing that is drawn here, or belong to a free-form curve that was counted.
+/// Keywords of the format that do not change the image, or that belong to a free-form curve that was counted.
 const SILENT: [&[u8]; 28] = [
     b"vp",
     b"deg",

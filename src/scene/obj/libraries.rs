@@ -1,4 +1,4 @@
-//! The material files that a model names, as they are found on the disk.
+//! Finding the material files that a model names.
 
 use std::collections::{HashMap, HashSet};
 use std::ffi::{OsStr, OsString};
@@ -8,22 +8,22 @@ use std::path::{Path, PathBuf};
 use super::notes::{Note, Notes};
 use super::words;
 
-/// The most names that are looked for: each asks the disk several times.
+/// The most names that are looked for. Each name takes several accesses to the disk.
 const MAX_LOOKS: usize = 512;
 
-/// Finds files by the names that people's programs give them.
+/// Finds files by the names that programs write.
 pub(super) struct Libraries<'a> {
     folder: &'a Path,
-    /// The names in the folders that had to be searched, by what they are in lower case.
+    /// The names in the folders that were searched, by their lower-case forms.
     listings: HashMap<PathBuf, HashMap<String, OsString>>,
-    /// What has been looked for, and the file that it is, with whether that has exactly this name.
+    /// The names that were looked for. Each has its file, and whether the file has exactly this name.
     looked: HashMap<Vec<u8>, Option<(PathBuf, bool)>>,
     taken: HashSet<PathBuf>,
     found: Vec<PathBuf>,
 }
 
 impl<'a> Libraries<'a> {
-    /// The files that the `mtllib` lines name, each once, in the order in which materials are looked for in them.
+    /// The files that the `mtllib` lines name, each once, in the order in which they are searched for materials.
     pub(super) fn find(
         model: &'a Path,
         lines: &[(Vec<u8>, usize)],
@@ -42,7 +42,7 @@ impl<'a> Libraries<'a> {
         libraries.found
     }
 
-    /// The rest of a line is one name, which may have spaces, or else several.
+    /// The rest of a line is one name, which may have spaces, or several names.
     fn line(&mut self, rest: &[u8], line: usize, notes: &mut Notes) {
         let whole = unquoted(rest);
         if whole.is_empty() || self.take(whole, line, notes) {
@@ -73,12 +73,12 @@ impl<'a> Libraries<'a> {
         notes.count(note, line, name);
     }
 
-    /// Takes the file of this name if there is one.
+    /// Adds the file of this name if it exists.
     fn take(&mut self, name: &[u8], line: usize, notes: &mut Notes) -> bool {
         let Some((path, as_named)) = self.look(name) else {
             return false;
         };
-        // One file may go by many names.
+        // A file may have many names.
         let real = fs::canonicalize(&path).unwrap_or_else(|_| path.clone());
         if self.taken.insert(real) {
             if !as_named {
@@ -89,7 +89,7 @@ impl<'a> Libraries<'a> {
         true
     }
 
-    /// Looks for a name once, and for only so many names at all.
+    /// Looks for a name, each only once, and for a limited number of names.
     fn look(&mut self, name: &[u8]) -> Option<(PathBuf, bool)> {
         if let Some(known) = self.looked.get(name) {
             return known.clone();
@@ -102,12 +102,12 @@ impl<'a> Libraries<'a> {
         found
     }
 
-    /// The file of this name, and whether its name is exactly this: or else with the other system's slashes, without its
-    /// folders, or in another case.
+    /// The file of this name, and whether its name is exactly this. The file's name may also have the other system's
+    /// slashes, no folders, or another case.
     fn locate(&mut self, name: &[u8]) -> Option<(PathBuf, bool)> {
         let mut spellings = vec![os_name(name)];
         if std::str::from_utf8(name).is_err() {
-            // As Latin-1, in which each byte is the character of that number.
+            // Read as Latin-1, in which each byte is the character of that number.
             let decoded: String = name.iter().map(|&byte| char::from(byte)).collect();
             spellings.push(OsString::from(decoded));
         }
@@ -130,7 +130,7 @@ impl<'a> Libraries<'a> {
             .find_map(|path| Some((self.in_another_case(path)?, false)))
     }
 
-    /// The file in the same folder whose name differs by case only.
+    /// The file in the same folder whose name differs only in case.
     fn in_another_case(&mut self, path: &Path) -> Option<PathBuf> {
         let wanted = path.file_name()?.to_string_lossy().to_lowercase();
         let folder = path.parent()?;
@@ -141,7 +141,7 @@ impl<'a> Libraries<'a> {
     }
 }
 
-/// The names in a folder, the first of those that differ by case only; none if it cannot be read.
+/// The names in a folder, the first of those that differ only in case. The list is empty if the folder cannot be read.
 fn listing(folder: &Path) -> HashMap<String, OsString> {
     let folder = match folder.as_os_str().is_empty() {
         true => Path::new("."),
@@ -158,7 +158,7 @@ fn listing(folder: &Path) -> HashMap<String, OsString> {
     listing
 }
 
-/// The names in a line: in quotes, or ending in `.mtl`, or what is left.
+/// The names in a line: names in quotes, names that end in `.mtl`, or the rest of the line.
 fn names(rest: &[u8]) -> Vec<&[u8]> {
     let mut names = Vec::new();
     let mut rest = words::trim(rest);
@@ -174,7 +174,7 @@ fn names(rest: &[u8]) -> Vec<&[u8]> {
     names
 }
 
-/// Where a name ends: after `.mtl` and before a space.
+/// The end of a name: after `.mtl` and before a space.
 fn end_of_name(rest: &[u8]) -> usize {
     let ends = rest.windows(4).enumerate().find(|(at, window)| {
         let after = rest.get(at + 4);
@@ -183,7 +183,7 @@ fn end_of_name(rest: &[u8]) -> usize {
     ends.map_or(rest.len(), |(at, _)| at + 4)
 }
 
-/// What stands in quotes at the beginning, and what follows.
+/// The text in quotes at the beginning, and the text after it.
 fn quoted(rest: &[u8]) -> Option<(&[u8], &[u8])> {
     let (&quote, inside) = rest.split_first()?;
     if quote != b'"' && quote != b'\'' {
@@ -193,7 +193,7 @@ fn quoted(rest: &[u8]) -> Option<(&[u8], &[u8])> {
     Some((&inside[..end], &inside[end + 1..]))
 }
 
-/// Without the quotes around the whole.
+/// The text without the quotes around it.
 fn unquoted(rest: &[u8]) -> &[u8] {
     match quoted(rest) {
         Some((inside, [])) => words::trim(inside),

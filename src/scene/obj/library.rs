@@ -1,10 +1,10 @@
-//! An MTL file, as far as it is needed: statements as they stand, of those materials that are used.
+//! Reading an MTL file, as far as it is needed: the statements of the materials that are used.
 
 use super::numbers;
 use super::transparency::Evidence;
 use super::words;
 
-/// What a line of a material says, and where.
+/// A statement of a material, and its line.
 #[derive(Clone, Default)]
 pub(super) struct Statement {
     pub(super) line: usize,
@@ -12,7 +12,7 @@ pub(super) struct Statement {
 }
 
 impl Statement {
-    /// The number of `d 0.5`, or of `d -halo 0.5`.
+    /// The number in `d 0.5` or `d -halo 0.5`.
     pub(super) fn number(&self) -> Option<f64> {
         let mut words = words::words(&self.rest);
         numbers::number(words.find(|&word| word != b"-halo")?)
@@ -28,29 +28,29 @@ pub(super) struct Material {
     pub(super) ka: Option<Statement>,
     pub(super) d: Option<Statement>,
     pub(super) tr: Option<Statement>,
-    /// A picture of its colour.
+    /// A colour texture.
     pub(super) map_kd: Option<Statement>,
-    /// A picture of its opacity.
+    /// An opacity map.
     pub(super) map_d: Option<Statement>,
-    /// Any other picture.
+    /// Any other texture.
     pub(super) map: Option<Statement>,
 }
 
-/// A file.
+/// A material file.
 #[derive(Default)]
 pub(super) struct Library {
     /// The materials that are used.
     pub(super) materials: Vec<Material>,
-    /// What the comments before the first material say, in lower case.
+    /// The comments before the first material, in lower case.
     pub(super) head: Vec<u8>,
-    /// What all of its materials tell of `Tr`.
+    /// The evidence of all materials about the meaning of `Tr`.
     pub(super) evidence: Evidence,
-    /// How many statements belong to no material, and the line of the first.
+    /// The number of statements that belong to no material, and the line of the first.
     pub(super) homeless: (usize, usize),
 }
 
 impl Library {
-    /// Reads one.
+    /// Reads a material file.
     pub(super) fn read(bytes: &[u8], is_used: impl Fn(&[u8]) -> bool) -> Self {
         let mut library = Self::default();
         let mut current: Option<Material> = None;

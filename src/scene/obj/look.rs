@@ -1,4 +1,4 @@
-//! What a material looks like: its colour and its opacity, and what had to be assumed for that.
+//! The look of a material: its colour and its opacity, and the assumptions behind them.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -9,7 +9,7 @@ use super::numbers;
 use super::transparency::{SAME, Tr};
 use super::words;
 
-/// A material's colour and opacity; `None` where nothing is said that can be read.
+/// A material's colour and opacity. `None` if the file has no value that can be read.
 #[derive(Clone, Copy)]
 pub(super) struct Look {
     pub(super) color: Option<[f32; 3]>,
@@ -70,10 +70,11 @@ fn color(statement: &Statement, notes: &mut LookNotes) -> Option<[f32; 3]> {
     Some(channels.map(|channel| channel.clamp(0.0, 1.0) as f32))
 }
 
-/// From this on a colour of whole numbers goes from 0 to 255: no exporter lights a surface so much.
+/// A colour of whole numbers that reaches this value goes from 0 to 255. No exporter writes a colour so bright
+/// otherwise.
 const TOO_BRIGHT: f64 = 16.0;
 
-/// By `d` if it can be read, or else by `Tr`.
+/// The opacity: from `d` if that can be read, or else from `Tr`.
 fn opacity(material: &Material, meaning: Tr, notes: &mut LookNotes) -> Option<f32> {
     let d = material.d.as_ref().and_then(|d| {
         if words::words(&d.rest).next() == Some(b"-halo") {
@@ -89,7 +90,7 @@ fn opacity(material: &Material, meaning: Tr, notes: &mut LookNotes) -> Option<f3
         notes.tr(meaning, tr);
         return Some(opacity as f32);
     };
-    // It is not needed, so it may be anything.
+    // It is not needed, so it may have any value.
     let agrees = tr
         .number()
         .is_some_and(|tr| (meaning.opacity(tr) - d).abs() <= SAME);
@@ -99,7 +100,7 @@ fn opacity(material: &Material, meaning: Tr, notes: &mut LookNotes) -> Option<f3
     Some(d as f32)
 }
 
-/// A number from 0 to 1, or brought there.
+/// A number from 0 to 1, or the nearest number in this range.
 fn fraction(statement: &Statement, notes: &mut LookNotes) -> Option<f64> {
     let Some(number) = statement.number() else {
         notes.count(Kind::UnreadableOpacity, statement, &statement.rest);
@@ -111,7 +112,7 @@ fn fraction(statement: &Statement, notes: &mut LookNotes) -> Option<f64> {
     Some(number.clamp(0.0, 1.0))
 }
 
-/// What there is to say about the materials of a file, in the order in which it is said.
+/// The kinds of notes about the materials of a file, in the order in which they are printed.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Kind {
     Homeless,
@@ -131,7 +132,7 @@ enum Kind {
     OtherMap,
 }
 
-/// Counts of it, each with the line and the word of the first.
+/// The count of each kind, with the line and the word of the first occurrence.
 #[derive(Default)]
 pub(super) struct LookNotes {
     found: BTreeMap<Kind, (usize, usize, String)>,
@@ -179,7 +180,7 @@ impl LookNotes {
         self.count(Kind::Repeated, &statement, &material.name);
     }
 
-    /// A sentence for each.
+    /// One sentence for each kind.
     pub(super) fn sentences(&self, file: &Path) -> impl Iterator<Item = String> {
         self.found.iter().map(|(kind, (count, line, word))| {
             let some = counted(*count, "material");

@@ -1,4 +1,4 @@
-//! The materials that a model uses, resolved to a colour and an opacity each.
+//! The materials that a model uses, each resolved to a colour and an opacity.
 
 use std::collections::HashMap;
 use std::fmt::Write;
@@ -14,7 +14,8 @@ use super::words;
 use crate::memory::MemoryLimit;
 use crate::scene::source;
 
-/// The materials that a model uses, as `tobj` reads them: `newmtl`, `Kd` and `d`, their names the numbers of [`Faces`].
+/// The materials that a model uses, in the form that `tobj` reads: `newmtl`, `Kd` and `d`. Their names are the numbers
+/// of [`Faces`].
 pub(super) fn load(
     path: &Path,
     faces: &Faces,
@@ -51,7 +52,7 @@ pub(super) fn load(
     text(&looks)
 }
 
-/// Gives the materials of a library that are used and not defined by one before their looks.
+/// Gives looks to the materials of a library that are used and that no earlier library has defined.
 fn resolve(
     library: &Library,
     file: &Path,
@@ -77,8 +78,8 @@ fn resolve(
     said.extend(notes.sentences(file));
 }
 
-/// A number for each name that is used; and for each before a comment, `usemtl red # as before` may mean the material
-/// `red`.
+/// A number for each name that is used, and for each name before a comment: `usemtl red # as before` may mean the
+/// material `red`.
 fn numbers(used: &[Used]) -> HashMap<&[u8], usize> {
     let names = used.iter().map(|used| &used.name[..]);
     let plain = names.clone().filter_map(words::before_comment);
@@ -90,7 +91,7 @@ fn numbers(used: &[Used]) -> HashMap<&[u8], usize> {
     numbers
 }
 
-/// Gives what is defined under its name before a comment only that look.
+/// Gives a name with a comment the look of the name before the comment, if only that is defined.
 fn resolve_without_comment(
     used: &[Used],
     numbers: &HashMap<&[u8], usize>,

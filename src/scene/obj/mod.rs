@@ -1,11 +1,11 @@
 //! Wavefront models: OBJ and its MTL.
 //!
-//! `tobj` is the reader. It says what is wrong without saying where, stops at much that the picture does not need, and
-//! takes some of what models hold for something else: lines (`l`) for polygons, every polygon for a convex one, colours
-//! or normals that only some vertices have for those of other vertices, a `Kd` of one number for a reason to panic. So
-//! every file is first gone through line by line: [`vertices`], then [`faces`], then its [`materials`]. What the picture
-//! needs and cannot have is reported with its line, what it does not need is counted ([`notes`]), and what goes on to
-//! `tobj` is plain: triangles and convex polygons, and numbers for names, which may be in any encoding.
+//! `tobj` is the reader. It reports faults without their line, and it stops at many that do not matter for the image.
+//! It takes lines (`l`) for polygons and every polygon for a convex one. If only some vertices have colours or normals,
+//! it gives them to other vertices. A `Kd` of one number makes it panic. So every file is first read line by line:
+//! [`vertices`], then [`faces`], then its [`materials`]. A fault that matters for the image is reported with its line,
+//! and the others are counted ([`notes`]). The text that goes to `tobj` is plain: it has triangles and convex polygons,
+//! and numbers in place of names, which may be in any encoding.
 
 mod assemble;
 mod corner;
@@ -36,16 +36,17 @@ use faces::Faces;
 use notes::{Note, Notes, counted};
 use vertices::Vertices;
 
-/// What a scene file says about a model's looks; it comes before the materials and after vertex colours.
+/// The look that a scene file gives to a model. It takes precedence over materials, and vertex colours take precedence
+/// over it.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Paint {
     pub(super) color: Option<[f32; 3]>,
     pub(super) opacity: Option<f32>,
 }
 
-/// A model and what there is to say about it.
+/// A model, and the notes about it.
 pub(super) struct Model {
-    /// One for each run of faces with the same object, group and material, in the order of the file.
+    /// One mesh for each run of faces with the same object, group and material, in the order of the file.
     pub(super) meshes: Vec<Mesh>,
     /// What was skipped or assumed.
     pub(super) notices: Vec<String>,
@@ -83,7 +84,7 @@ pub(super) fn load(path: &Path, paint: &Paint, memory: &MemoryLimit) -> Result<M
     Ok(Model { meshes, notices })
 }
 
-/// The text through `tobj`: runs of triangles, each vertex with all it needs under one index.
+/// Reads the plain text by `tobj`. The result is runs of triangles, with one index for all data of a vertex.
 fn read(
     path: &Path,
     text: &str,
@@ -102,7 +103,7 @@ fn read(
     Ok((models, list.map_err(|error| slipped(path, error))?))
 }
 
-/// A sentence about the meshes of which nothing can be seen, if any.
+/// A sentence about the meshes that are invisible, or `None` if there are none.
 fn invisible(path: &Path, meshes: &[Mesh]) -> Option<String> {
     let is_clear = |mesh: &&Mesh| mesh.vertices.iter().all(|vertex| vertex.color.a == 0.0);
     let clear: Vec<&Mesh> = meshes.iter().filter(is_clear).collect();
@@ -120,7 +121,7 @@ fn invisible(path: &Path, meshes: &[Mesh]) -> Option<String> {
     ))
 }
 
-/// The error of a model of which nothing would be drawn.
+/// The error for a model without any face that can be drawn.
 fn no_faces(path: &Path, is_empty: bool, vertices: &Vertices, notes: &Notes) -> Error {
     let other = [Note::LineElement, Note::PointElement, Note::FreeForm];
     let first = [
@@ -151,7 +152,7 @@ fn no_faces(path: &Path, is_empty: bool, vertices: &Vertices, notes: &Notes) -> 
     Error::input(Place::file(path), what, remedy)
 }
 
-/// An error that should have been found before, with a line. Better without one than not at all.
+/// An error of `tobj` that should have been found before, with its line. Here it has no line.
 fn slipped(path: &Path, error: tobj::LoadError) -> Error {
     Error::input(
         Place::file(path),

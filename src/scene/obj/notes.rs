@@ -1,11 +1,11 @@
-//! What there is to say about a model: counted by kind while it is read, a sentence each at the end.
+//! Notes about a model. They are counted by kind while it is read, and printed as one sentence per kind.
 
 use std::collections::BTreeMap;
 use std::path::Path;
 
 use super::words;
 
-/// What was skipped, repaired or assumed, in the order in which it is said.
+/// The kinds of things that were skipped, repaired or assumed, in the order in which they are printed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Note {
     LineElement,
@@ -33,7 +33,7 @@ pub(super) enum Note {
     MaterialUndefined,
 }
 
-/// How often, and where first.
+/// The number of occurrences, and the first one.
 struct Tally {
     count: usize,
     line: usize,
@@ -45,7 +45,7 @@ struct Tally {
 pub(super) struct Notes(BTreeMap<Note, Tally>);
 
 impl Notes {
-    /// This was met in this line, at this word.
+    /// Counts an occurrence in this line, at this word.
     pub(super) fn count(&mut self, note: Note, line: usize, word: &[u8]) {
         let first = || Tally {
             count: 0,
@@ -55,12 +55,12 @@ impl Notes {
         self.0.entry(note).or_insert_with(first).count += 1;
     }
 
-    /// How often this was met.
+    /// The number of occurrences.
     pub(super) fn of(&self, note: Note) -> usize {
         self.0.get(&note).map_or(0, |tally| tally.count)
     }
 
-    /// Where this was met first: `'word' in line 3`.
+    /// The line and the word of the first occurrence.
     pub(super) fn first(&self, note: Note) -> Option<(usize, &str)> {
         let tally = self.0.get(&note)?;
         Some((tally.line, &tally.word))

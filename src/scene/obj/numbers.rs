@@ -1,23 +1,23 @@
-//! Numbers as they stand in a file.
+//! Reading the numbers of a line.
 
 use super::words;
 
-/// The most numbers of a line that mean something.
+/// The most numbers of a line that have a meaning.
 const MOST: usize = 7;
 
 /// The numbers of a line.
 pub(super) struct Numbers<'a> {
-    /// The first of them, each as it stands, and `None` where it is not a finite number.
+    /// The first numbers of the line, or `None` in place of a word that is not a finite number.
     slots: [Option<f64>; MOST],
     words: [&'a [u8]; MOST],
-    /// How many there are.
+    /// The number of words.
     pub(super) count: usize,
-    /// The first one that was written with a decimal comma.
+    /// The first number that was written with a decimal comma.
     pub(super) comma: Option<&'a [u8]>,
 }
 
 impl<'a> Numbers<'a> {
-    /// Reads what follows a keyword.
+    /// Reads the numbers after a keyword.
     pub(super) fn of(rest: &'a [u8]) -> Self {
         let mut numbers = Self {
             slots: [None; MOST],
@@ -40,7 +40,7 @@ impl<'a> Numbers<'a> {
         numbers
     }
 
-    /// Some numbers in a row, from this one on, if they are there and finite.
+    /// `N` consecutive numbers from this one on, or `None` if one is missing or not finite.
     pub(super) fn take<const N: usize>(&self, first: usize) -> Option<[f64; N]> {
         let mut taken = [0.0; N];
         for (taken, slot) in taken.iter_mut().zip(self.slots.get(first..)?) {
@@ -49,7 +49,7 @@ impl<'a> Numbers<'a> {
         (first + N <= self.count).then_some(taken)
     }
 
-    /// A word that is not a finite number, from this one on, to be shown.
+    /// The first word from this one on that is not a finite number, to be shown.
     pub(super) fn unreadable(&self, first: usize) -> Option<&'a [u8]> {
         let count = self.count.min(MOST);
         let bad = (first..count).find(|&i| self.slots[i].is_none())?;
@@ -57,7 +57,7 @@ impl<'a> Numbers<'a> {
     }
 }
 
-/// One number as it stands.
+/// A single number.
 pub(super) fn number(word: &[u8]) -> Option<f64> {
     plain(word).or_else(|| with_comma(word))
 }
@@ -67,7 +67,7 @@ fn plain(word: &[u8]) -> Option<f64> {
     number.is_finite().then_some(number)
 }
 
-/// `1,5`, as programs write it that ask the computer's language how numbers look.
+/// A number with a decimal comma, such as `1,5`, which programs write in some languages.
 fn with_comma(word: &[u8]) -> Option<f64> {
     let text = std::str::from_utf8(word).ok()?;
     let (whole, fraction) = text.split_once(',')?;

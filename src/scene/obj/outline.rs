@@ -1,4 +1,5 @@
-//! A polygon's outline on a plane: its corners, those at one place made one, and its edges, which may cross.
+//! A polygon's outline on a plane: its corners, where corners at the same place become one, and its edges, which may
+//! cross.
 
 use std::collections::HashMap;
 use std::ops::Range;
@@ -6,19 +7,21 @@ use std::ops::Range;
 use glam::DVec2;
 use robust::{Coord, orient2d};
 
-/// Below this `spade` takes no coordinates; they are at most 1 here, and this is nothing beside that.
+/// `spade` takes no coordinates below this. Coordinates are at most 1 here, so smaller ones may count as 0.
 const NOTHING: f64 = 1e-40;
 
-/// Places nearer to each other than this are one where edges cross: some thousand times what rounding moves a crossing.
+/// Crossings nearer to each other than this are one. It is some thousand times the distance by which rounding moves a
+/// crossing.
 const NEAR: f64 = 1.0 / (1_u64 << 40) as f64;
 
-/// The sine of a turn that is none. It decides about no more than an order, so it may be large.
+/// A turn with a smaller sine counts as straight on. This decides only about an order, so the value may be large.
 const STRAIGHT: f64 = 1e-3;
 
-/// The most pairs of edges that are looked at for crossings, beside some for each edge.
+/// The most pairs of edges that are tested for crossings, in addition to some pairs per edge.
 const MOST_PAIRS: usize = 1 << 20;
 
-/// How often a polygon runs along an edge, and how much more often from the lower corner to the higher.
+/// How often a polygon runs along an edge, and how much more often it does so from the lower corner to the higher one
+/// than back.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Runs {
     pub(super) count: u32,
@@ -26,7 +29,7 @@ pub(super) struct Runs {
 }
 
 impl Runs {
-    /// Both together, these ones taken the other way around if they are.
+    /// The sum of two counts. The second ones are reversed if `reversed`.
     pub(super) fn joined(self, other: Self, reversed: bool) -> Self {
         let net = if reversed { -other.net } else { other.net };
         Self {
@@ -36,7 +39,7 @@ impl Runs {
     }
 }
 
-/// An edge of the polygon, or a piece of one.
+/// An edge of the polygon, or a piece of an edge.
 #[derive(Clone, Copy)]
 pub(super) struct Edge {
     /// The lower corner first.
@@ -46,7 +49,7 @@ pub(super) struct Edge {
     whole: [usize; 2],
 }
 
-/// A corner where edges cross: the corners at the ends of one of them, and how far it is from one to the other.
+/// A corner where edges cross: the corners at the ends of one of the edges, and the place between them.
 #[derive(Clone, Copy)]
 pub(super) struct Crossing {
     pub(super) between: [usize; 2],
@@ -55,18 +58,18 @@ pub(super) struct Crossing {
 
 /// The outline.
 pub(super) struct Outline {
-    /// The corners of the polygon, first those where it turns, then the crossings.
+    /// The corners of the polygon, first those where it turns, and then the crossings.
     pub(super) places: Vec<DVec2>,
-    /// Which of the polygon's corners is the first at each of its places.
+    /// For each place, the number of the polygon's first corner there.
     pub(super) first: Vec<usize>,
-    /// Only edges that matter: not those that are run along to and fro, as the bridge to a hole is, for on both sides of
-    /// them all is the same.
+    /// The edges that matter. An edge that the polygon follows to and fro, such as the bridge to a hole, does not
+    /// matter, because its two sides are alike.
     pub(super) edges: Vec<Edge>,
-    /// After the polygon's own corners.
+    /// The crossings, whose numbers follow those of the polygon's own corners.
     pub(super) added: Vec<Crossing>,
-    /// How many of the corners are some where it turns.
+    /// The number of corners where the polygon turns.
     pub(super) turning: usize,
-    /// How often it goes back the way it came.
+    /// How often the polygon goes back the way it came.
     pub(super) spikes: usize,
 }
 
@@ -104,7 +107,7 @@ impl Outline {
         outline
     }
 
-    /// Cuts edges where they cross. `None` if they do so too often to be more than noise.
+    /// Cuts edges where they cross. `None` if they cross so often that the polygon is noise.
     pub(super) fn cut(&mut self) -> Option<()> {
         let most_added = self.first.len() + 256;
         let mut near = Near::new(&self.places);
@@ -142,7 +145,7 @@ impl Outline {
         [a, b, c, d]
     }
 
-    /// One corner more, on this edge.
+    /// Adds a corner on this edge.
     fn add(&mut self, edge: usize, place: DVec2, near: &mut Near) -> usize {
         let whole = self.edges[edge].whole;
         let [start, end] = whole.map(|corner| self.places[corner]);
@@ -180,7 +183,7 @@ impl Outline {
     }
 }
 
-/// Without what is too small to be taken, and without the sign of zero.
+/// The coordinate, or 0 if it is too small for `spade`. Negative zero becomes 0.
 fn without_nothing(corner: DVec2) -> DVec2 {
     let [x, y] = corner
         .to_array()
@@ -188,7 +191,7 @@ fn without_nothing(corner: DVec2) -> DVec2 {
     DVec2::new(x, y)
 }
 
-/// Where a polygon turns, and where it goes straight on.
+/// The corners where a polygon turns, and those where it goes straight on.
 struct Turns {
     turning: Vec<bool>,
     spikes: usize,
@@ -197,7 +200,7 @@ struct Turns {
 impl Turns {
     fn of(flat: &[DVec2]) -> Self {
         let last = flat.last().copied().unwrap_or_default();
-        // The corner before each, and the one after it, at another place each.
+        // The nearest corners before and after each corner that are at another place.
         let before = apart(last, flat.iter().copied());
         let first = flat.first().copied().unwrap_or_default();
         let mut after = apart(first, flat.iter().rev().copied());
@@ -215,9 +218,9 @@ impl Turns {
         Self { turning, spikes }
     }
 
-    /// The corners, each with whether the polygon turns there: first those where it does, then the others, of each line
-    /// the middle one first, then the middle ones of its halves, and so on. So few edges of a triangulation change with
-    /// each; along the line all would.
+    /// The corners, each with whether the polygon turns there. Corners with a turn come first. Of the corners on each
+    /// line, the middle one comes next, then the middle ones of its halves, and so on. In this order each insertion
+    /// changes few edges of a triangulation. Along the line, each would change all of them.
     fn in_order(&self) -> Vec<(bool, usize)> {
         let all = 0..self.turning.len();
         let turning = all.filter(|&i| self.turning[i]).map(|i| (true, i));
@@ -231,7 +234,7 @@ impl Turns {
     }
 }
 
-/// The middle of a range, then those of its halves.
+/// The middle of a range, then the middles of its halves.
 fn halve(range: Range<usize>, take: &mut impl FnMut(usize)) {
     if !range.is_empty() {
         let middle = range.start + range.len() / 2;
@@ -241,7 +244,7 @@ fn halve(range: Range<usize>, take: &mut impl FnMut(usize)) {
     }
 }
 
-/// For each place the one before it; of equal ones in a row the one before all of them.
+/// For each place the one before it. For equal consecutive places it is the one before all of them.
 fn apart(first: DVec2, places: impl Iterator<Item = DVec2>) -> Vec<DVec2> {
     let (mut before, mut latest) = (first, first);
     let apart = places.map(|place| {
@@ -253,7 +256,7 @@ fn apart(first: DVec2, places: impl Iterator<Item = DVec2>) -> Vec<DVec2> {
     apart.collect()
 }
 
-/// Where two edges cross between their ends, as parts of their lengths.
+/// The point where two edges cross between their ends, as parts of their lengths.
 fn crossing(places: [DVec2; 4]) -> Option<(f64, f64)> {
     let [a, b, c, d] = places.map(|place| Coord {
         x: place.x,
@@ -266,7 +269,7 @@ fn crossing(places: [DVec2; 4]) -> Option<(f64, f64)> {
     both.then(|| (of_a / (of_a - of_b), of_c / (of_c - of_d)))
 }
 
-/// Edges as they are found, each once.
+/// Collects edges, each once.
 #[derive(Default)]
 struct Edges {
     edges: Vec<Edge>,
@@ -274,7 +277,7 @@ struct Edges {
 }
 
 impl Edges {
-    /// One that is run along like this from the first corner to the second.
+    /// Adds an edge along which the polygon runs so from the first corner to the second.
     fn add(&mut self, from: usize, to: usize, runs: Runs, whole: [usize; 2]) {
         if from == to {
             return;
@@ -295,7 +298,7 @@ impl Edges {
     }
 }
 
-/// Corners by their places, to find those that are near.
+/// Finds corners near a place.
 struct Near(HashMap<[i64; 2], Vec<usize>>);
 
 impl Near {
@@ -315,7 +318,7 @@ impl Near {
         self.0.entry(Self::cell(place)).or_default().push(corner);
     }
 
-    /// The first corner that is near to a place.
+    /// The first corner near a place.
     fn corner(&self, places: &[DVec2], place: DVec2) -> Option<usize> {
         let [x, y] = Self::cell(place);
         let cells = (-1..=1).flat_map(|i| (-1..=1).map(move |j| [x + i, y + j]));

@@ -1,12 +1,13 @@
-//! Polygons of more than three corners, and how triangles cover them.
+//! Covering polygons of more than three corners by triangles.
 
 use glam::{DVec2, DVec3};
 
 use super::cover::Cover;
 use super::even_odd::{self, Effort};
 
-/// Covers what lies within a polygon once, facing to where it is seen counter-clockwise. A convex one is a fan; of any
-/// other the even-odd rule says what lies within, on the plane that fits it best.
+/// Covers the inside of a polygon once. The triangles face the side from which the polygon is seen counter-clockwise. A
+/// convex polygon becomes a fan. For any other the even-odd rule gives the inside, on the plane that fits the polygon
+/// best.
 pub(super) fn cover(places: &[DVec3], effort: &mut Effort) -> Cover {
     if places.len() == 3 {
         return Cover::Fan;
@@ -20,23 +21,24 @@ pub(super) fn cover(places: &[DVec3], effort: &mut Effort) -> Cover {
     even_odd::cover(&flat, places, effort)
 }
 
-/// By a power of two, which rounds nothing, to coordinates of at most 1.
+/// Scales to coordinates of at most 1 by a power of two, which rounds nothing.
 fn scaled(places: &[DVec3]) -> Vec<DVec3> {
     let largest = places.iter().map(|place| place.abs().max_element());
     let largest = largest.fold(f64::MIN_POSITIVE, f64::max);
-    // In two steps: the power itself may be out of range.
+    // In two steps, because the power itself may be out of range.
     let half = (-largest.log2().ceil() / 2.0).ceil().exp2();
     places.iter().map(|&place| place * half * half).collect()
 }
 
-/// How far corners may be from a plane, relative to the polygon's size, to be of it all the same: numbers of six digits,
-/// as most programs write them, are no nearer.
+/// The distance from a plane, relative to the polygon's size, at which a corner still counts as on it. Numbers of six
+/// digits, which most programs write, are not more exact.
 const FLAT: f64 = 1e-5;
 
-/// The polygon on a plane, where it runs counter-clockwise. `None` if all corners are on a line.
+/// The polygon on a plane, on which it runs counter-clockwise. `None` if all corners are on a line.
 ///
-/// The plane is the one that fits best. One coordinate is dropped if the corners are on that plane, which shows the
-/// same from a slant and rounds nothing, so that corners on a line stay on it; what is not flat is seen from above.
+/// The plane is the one that fits best. If the corners are on it, one coordinate is dropped. This shows the same
+/// polygon at a slant and rounds nothing, so that corners on a line stay on it. A polygon that is not flat is projected
+/// onto the plane.
 fn flattened(places: &[DVec3]) -> Option<Vec<DVec2>> {
     let facing = facing(places)?;
     let axis = facing.abs().max_position();
@@ -59,8 +61,8 @@ fn flattened(places: &[DVec3]) -> Option<Vec<DVec2>> {
     Some(flat.collect())
 }
 
-/// Where a polygon faces: along the sum of its fan's areas, which is its own whatever the shape; along an axis where the
-/// sum is nothing, as that of an eight whose loops are alike.
+/// The direction that a polygon faces. It is the sum of the areas of its fan, which does not depend on the fan. If the
+/// sum is zero, as for a figure of eight with equal loops, it is an axis.
 fn facing(places: &[DVec3]) -> Option<DVec3> {
     let (first, rest) = places.split_first()?;
     let mut sum = DVec3::ZERO;
@@ -70,7 +72,7 @@ fn facing(places: &[DVec3]) -> Option<DVec3> {
         sum += area;
         size += area.abs();
     }
-    // What is left of areas that cancel each other is rounding: n terms of 1e-16 each.
+    // If areas cancel each other, only rounding is left: n terms of 1e-16 each.
     let cancelled = sum.abs().max_element() <= 1e-16 * places.len() as f64 * size.max_element();
     let facing = if cancelled {
         DVec3::AXES[size.max_position()]
@@ -80,7 +82,7 @@ fn facing(places: &[DVec3]) -> Option<DVec3> {
     (size.max_element() > 0.0 && facing.try_normalize().is_some()).then_some(facing)
 }
 
-/// Whether it turns to the left only, once around, and each triangle of its fan has an area.
+/// Whether the polygon only turns left, goes around once, and every triangle of its fan has an area.
 fn is_convex(flat: &[DVec2]) -> bool {
     let count = flat.len();
     let first = flat[0];
@@ -100,7 +102,7 @@ fn is_convex(flat: &[DVec2]) -> bool {
     {
         return false;
     }
-    // Going around once it goes to the right once and to the left once.
+    // A polygon that goes around once goes to the right once and to the left once.
     let sideways = || edges.clone().map(|edge| edge.x).filter(|&x| x != 0.0);
     let turned = sideways().zip(sideways().cycle().skip(1));
     turned

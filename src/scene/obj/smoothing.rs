@@ -1,15 +1,15 @@
-//! `s`: which faces share normals where the file gives none.
+//! `s`: the faces that share normals where the file gives no normals.
 
 use std::collections::HashMap;
 
 use super::words;
 
-/// The group that a face belongs to, as the place of a texture coordinate: `tobj` makes vertices of their own of
-/// corners that name different ones, and nothing else here uses them.
+/// Smoothing groups, in the form of texture coordinates. `tobj` makes separate vertices of corners that name different
+/// texture coordinates, and nothing else here uses them.
 pub(super) struct Smoothing {
-    /// Whether the file has any `s`. If not, a mesh is smooth throughout.
+    /// Whether the file has any `s`. If it has none, a mesh is smooth throughout.
     grouped: bool,
-    /// `None`: facets, which is how a file starts.
+    /// The current group. `None` means facets, with which a file starts.
     current: Option<usize>,
     groups: HashMap<Vec<u8>, usize>,
     written: usize,
@@ -44,14 +44,14 @@ impl Smoothing {
         self.current = Some(*group);
     }
 
-    /// The group of the next face; `None` if the file knows no groups.
+    /// The group of the next face, or `None` if the file has no groups.
     pub(super) fn of_face(&mut self, out: &mut String) -> Option<usize> {
         let facet = || write(&mut self.written, out);
         self.grouped.then(|| self.current.unwrap_or_else(facet))
     }
 }
 
-/// One texture coordinate more; its index.
+/// Adds a texture coordinate and returns its index.
 fn write(written: &mut usize, out: &mut String) -> usize {
     out.push_str("vt 0 0\n");
     *written += 1;

@@ -1,21 +1,21 @@
-//! `Tr`: by the format's documents it is transparency, 1 less `d`; many programs write the opacity there.
+//! `Tr`. By the format's documents it is the transparency, 1 - `d`. Many programs write the opacity instead.
 
-/// What `Tr` means in a file.
+/// The meaning of `Tr` in a file, and the reason for it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Tr {
-    /// As the format has it.
+    /// Transparency, as the format has it.
     Transparency,
-    /// This program, which is named in the file, writes the opacity.
+    /// Opacity, because the file names this program, which writes the opacity.
     OpacityOf(&'static str),
-    /// Other materials of the file have a `d`, too, and it is equal to their `Tr`.
+    /// Opacity, because other materials of the file have a `d` that is equal to their `Tr`.
     OpacityLikeD,
-    /// By the other meaning nothing could be seen.
+    /// Opacity, because transparency would leave nothing visible.
     OpacityToBeSeen,
-    /// The same, where the opacity was to be expected.
+    /// Transparency, because opacity, which was expected, would leave nothing visible.
     TransparencyToBeSeen,
 }
 
-/// What the comments of programs say that write opacity as `Tr`, in lower case, and what the programs are called.
+/// Words in the comments of programs that write the opacity as `Tr`, in lower case, and the programs' names.
 const WRITERS: [(&[u8], &str); 8] = [
     (b"visualization toolkit", "VTK"),
     (b"vtk", "VTK"),
@@ -27,24 +27,25 @@ const WRITERS: [(&[u8], &str); 8] = [
     (b"texrecon", "MVS-Texturing"),
 ];
 
-/// Two numbers that a program has written of the same: they differ by the rounding of two decimals at most.
+/// Whether two numbers are equal up to the rounding of two decimals.
 pub(super) const SAME: f64 = 0.01;
 
-/// What the materials of a file tell.
+/// The evidence of the materials of a file.
 #[derive(Default)]
 pub(super) struct Evidence {
-    /// How many have a `Tr` that is equal to their `d`, and not to 1 less that.
+    /// The number of materials whose `Tr` is equal to `d` and not to 1 - `d`.
     alike: usize,
-    /// The other way around.
+    /// The number of materials whose `Tr` is equal to 1 - `d` and not to `d`.
     opposite: usize,
-    /// How many have a `Tr` and no `d`, and how many of those it makes invisible if it is opacity, or transparency.
+    /// The number of materials that have a `Tr` and no `d`, and how many of them would be invisible if it were the
+    /// opacity, or the transparency.
     alone: usize,
     clear: usize,
     full: usize,
 }
 
 impl Evidence {
-    /// What one material tells.
+    /// Adds the evidence of a material.
     pub(super) fn add(&mut self, d: Option<f64>, tr: Option<f64>) {
         match (d, tr) {
             (Some(d), Some(tr)) => {
@@ -63,8 +64,9 @@ impl Evidence {
 }
 
 impl Tr {
-    /// By who wrote the file, as its first comments say, or by what its `d` say, or by the format; but not so that all
-    /// of its materials without a `d` are invisible if there is another way.
+    /// Decides by the program that wrote the file, which its first comments name, or by the values of `d`, or by the
+    /// format. If this would make all materials without a `d` invisible and the other meaning would not, the other
+    /// meaning is taken.
     pub(super) fn of(head: &[u8], evidence: &Evidence) -> Self {
         let writer = WRITERS.iter().find(|(comment, _)| {
             let mut windows = head.windows(comment.len());
@@ -91,7 +93,7 @@ impl Tr {
         }
     }
 
-    /// For people.
+    /// The sentence for people.
     pub(super) fn sentence(self) -> String {
         match self {
             Self::Transparency => {

@@ -1,4 +1,4 @@
-//! `v`, `vn` and `vt`: read before all faces, for a face may stand before the vertices that it names.
+//! `v`, `vn` and `vt`. They are read before all faces, because a face may stand before the vertices that it names.
 
 use std::fmt::Write;
 
@@ -9,28 +9,29 @@ use super::numbers::Numbers;
 use super::words;
 use crate::scene::source::MAX_BYTES;
 
-/// Vertices cannot outnumber the 32-bit indices of a mesh: one takes a line of at least eight bytes, and a corner of a
-/// face, each of which may become a vertex of its own, at least two.
+/// Vertices cannot outnumber the 32-bit indices of a mesh. A vertex takes a line of at least eight bytes. A corner of a
+/// face may become a vertex of its own, and takes at least two bytes.
 const _: () = assert!(MAX_BYTES / 2 < u32::MAX as u64);
 
-/// From this on a colour of whole numbers goes from 0 to 255: no exporter lights a surface so much.
+/// A colour of whole numbers that reaches this value goes from 0 to 255. No exporter writes a colour so bright
+/// otherwise.
 const TOO_BRIGHT: f64 = 16.0;
 
-/// All that faces may name.
+/// Everything that faces may name.
 #[derive(Default)]
 pub(super) struct Vertices {
-    /// Not finite where a vertex has no place that can be read.
+    /// Positions. They are not finite if they cannot be read.
     pub(super) positions: Vec<DVec3>,
     /// Red, green, blue and opacity of each vertex; empty if none has a colour.
     pub(super) colors: Vec<Option<[f32; 4]>>,
-    /// Of length zero where one cannot be used.
+    /// Normals. A normal that cannot be used has length zero.
     pub(super) normals: Vec<DVec3>,
-    /// How many there are.
+    /// The number of texture coordinates.
     pub(super) texture: usize,
 }
 
 impl Vertices {
-    /// Goes through a file for them.
+    /// Reads the vertices of a file.
     pub(super) fn of(bytes: &[u8], notes: &mut Notes) -> Self {
         let mut found = Self::default();
         let mut colors = Colors::default();
@@ -66,8 +67,8 @@ impl Vertices {
         self.positions.push(position);
     }
 
-    /// What `tobj` reads of them: every vertex with the place of its colour in the list where a colour would stand, for
-    /// `tobj` knows no opacity there; and normal 1, of length zero, for corners without one.
+    /// The text for `tobj`. In place of a colour, a vertex has the index of its colour, because `tobj` knows no opacity
+    /// of vertices. Normal 1, of length zero, is for corners without a normal.
     pub(super) fn write(&self, out: &mut String) {
         for (index, &position) in self.positions.iter().enumerate() {
             self.write_vertex(position, index, out);
@@ -81,7 +82,7 @@ impl Vertices {
         }
     }
 
-    /// One vertex more, with the colour at this index.
+    /// Adds a vertex with the colour at this index.
     pub(super) fn write_vertex(&self, position: DVec3, color: usize, out: &mut String) {
         let place = if position.is_finite() {
             position
@@ -96,7 +97,7 @@ impl Vertices {
     }
 }
 
-/// Three finite coordinates, divided by the weight that is a fourth number by itself.
+/// Three finite coordinates, divided by the weight if there is exactly one more number.
 fn position(numbers: &Numbers) -> Option<DVec3> {
     let place = DVec3::from_array(numbers.take(0)?);
     let place = match numbers.count {
@@ -106,8 +107,8 @@ fn position(numbers: &Numbers) -> Option<DVec3> {
     place.as_vec3().is_finite().then_some(place)
 }
 
-/// One of length zero if it cannot be read. Rounded to the 32 bits in which it is kept, so that one too short for them
-/// counts as having no length.
+/// A normal, or one of length zero if it cannot be read. It is rounded to 32 bits, so that a normal too short for them
+/// has length zero.
 fn normal(rest: &[u8]) -> DVec3 {
     let numbers = Numbers::of(rest);
     let read = numbers
@@ -118,10 +119,10 @@ fn normal(rest: &[u8]) -> DVec3 {
         .as_dvec3()
 }
 
-/// Colours as they stand; what they mean is known when all are read.
+/// Colours as they stand in the file. Their meaning is known when all of them are read.
 #[derive(Default)]
 struct Colors {
-    /// With their vertices and lines.
+    /// The colours, with their vertices and lines.
     read: Vec<(usize, usize, [f64; 4])>,
 }
 
@@ -132,7 +133,7 @@ impl Colors {
             notes.count(Note::UnreadableColor, line, word);
             return;
         };
-        // Without an opacity of its own a vertex has an infinite one, which no scale brings below 1.
+        // A vertex without an opacity gets an infinite one, which no scale brings below 1.
         let mut opacity = f64::INFINITY;
         if numbers.count > 6 {
             match numbers.take(6) {
@@ -175,7 +176,7 @@ impl Colors {
         colors
     }
 
-    /// Whether all of them are whole numbers of one byte, and too large for anything else.
+    /// Whether all colours are whole numbers of one byte, and too large for anything else.
     fn goes_to_255(&self) -> bool {
         let channels = || {
             self.read

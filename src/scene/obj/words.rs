@@ -1,9 +1,10 @@
-//! Lines and their words. Both are bytes: a name may be in any encoding, and only names may hold other than ASCII.
+//! Lines and their words. Both are bytes, because a name may be in any encoding. Only names may have bytes other than
+//! ASCII.
 
 use std::borrow::Cow;
 
-/// The lines with their numbers, those that are continued joined with the next. Without line ends, which are LF, CR LF
-/// or CR. Of a line that was continued the number is the first.
+/// The lines with their numbers and without their ends, which are LF, CR LF or CR. A continued line is joined with the
+/// next and has the number of the first.
 pub(super) fn lines(bytes: &[u8]) -> impl Iterator<Item = (usize, Cow<'_, [u8]>)> {
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     let mut raw = Raw(Some(bytes)).zip(1..);
@@ -12,7 +13,7 @@ pub(super) fn lines(bytes: &[u8]) -> impl Iterator<Item = (usize, Cow<'_, [u8]>)
         let mut line = Cow::Borrowed(trim(line));
         let named = holds_a_name(split(&line).0);
         let mut piece = 0;
-        // Only the newest piece is looked at, so that a file of nothing but continued lines takes linear time.
+        // Only the newest piece is examined, so that a file of nothing but continued lines takes linear time.
         while is_continued(&line[piece..], named) {
             let end = line.len() - 1;
             line.to_mut()[end] = b' ';
@@ -24,9 +25,9 @@ pub(super) fn lines(bytes: &[u8]) -> impl Iterator<Item = (usize, Cow<'_, [u8]>)
     })
 }
 
-/// Whether this end of a statement goes on in the next line. A comment does not, whatever it ends in: nobody means a
-/// Windows path at its end as a continuation. A name that ends in a backslash is such a path, too, unless the backslash
-/// stands by itself.
+/// Whether a statement that ends like this continues in the next line. A comment does not, whatever its end: nobody
+/// means the Windows path at its end as a continuation. A name that ends in a backslash is such a path, too, unless the
+/// backslash is a word of its own.
 fn is_continued(piece: &[u8], named: bool) -> bool {
     let Some(before) = piece.strip_suffix(b"\\") else {
         return false;
@@ -41,21 +42,20 @@ fn holds_a_name(keyword: &[u8]) -> bool {
         || keyword.starts_with(b"map_")
 }
 
-/// The keyword, and all that follows it.
+/// The keyword, and the rest of the line.
 pub(super) fn split(line: &[u8]) -> (&[u8], &[u8]) {
     let end = line.iter().position(is_space).unwrap_or(line.len());
     (&line[..end], trim(&line[end..]))
 }
 
-/// The words before a comment. A `#` after a point starts none: `1.#INF` is what some programs write of what is no
-/// number.
+/// The words before a comment. A `#` after a point does not start a comment, because some programs write `1.#INF`.
 pub(super) fn words(rest: &[u8]) -> impl Iterator<Item = &[u8]> {
     let starts = |at: &usize| rest[*at] == b'#' && !rest[..*at].ends_with(b".");
     let end = (0..rest.len()).find(starts).unwrap_or(rest.len());
     rest[..end].split(is_space).filter(|word| !word.is_empty())
 }
 
-/// A name before a comment that stands apart from it; `None` if there is no such comment.
+/// The name before a comment that a space separates from it, or `None` if there is no such comment.
 pub(super) fn before_comment(name: &[u8]) -> Option<&[u8]> {
     let pairs = name.windows(2);
     let at = pairs
@@ -64,7 +64,8 @@ pub(super) fn before_comment(name: &[u8]) -> Option<&[u8]> {
     Some(trim(&name[..at.0]))
 }
 
-/// A word for people: cut, for that of a binary file may be a megabyte, and with signs for bytes that are no UTF-8.
+/// A word for messages. It is cut, because a word of a binary file may have a megabyte. Signs replace bytes that are
+/// not UTF-8.
 pub(super) fn shown(word: &[u8]) -> String {
     const MOST: usize = 60;
     // A character has at most four bytes.
@@ -77,8 +78,7 @@ pub(super) fn shown(word: &[u8]) -> String {
     shown
 }
 
-/// Keeps a comment at a file's beginning in lower case, unless there is much there already: where a file comes from
-/// is said early.
+/// Keeps a comment at a file's beginning, in lower case, up to a limit. Programs write their names early in a file.
 pub(super) fn keep_head(comment: &[u8], head: &mut Vec<u8>) {
     const MOST: usize = 4096;
     if head.len() < MOST {
@@ -86,7 +86,7 @@ pub(super) fn keep_head(comment: &[u8], head: &mut Vec<u8>) {
     }
 }
 
-/// Without the space around it.
+/// The text without the space around it.
 pub(super) fn trim(mut bytes: &[u8]) -> &[u8] {
     while let [first, rest @ ..] = bytes
         && is_space(first)
@@ -101,12 +101,12 @@ pub(super) fn trim(mut bytes: &[u8]) -> &[u8] {
     bytes
 }
 
-/// Space within a line; the control character with which DOS ended a file is no more than that.
+/// Space within a line. The control character with which DOS ended a file counts as space, too.
 fn is_space(byte: &u8) -> bool {
     matches!(byte, b' ' | b'\t' | b'\x0b' | b'\x0c' | b'\x1a')
 }
 
-/// The lines as they stand, after the last one `None`.
+/// The lines as they stand, with `None` after the last.
 struct Raw<'a>(Option<&'a [u8]>);
 
 impl<'a> Iterator for Raw<'a> {

@@ -1,13 +1,13 @@
-//! What every volume must be, wherever it comes from. Said as what is wrong and what to do.
+//! Checks that every volume must pass, from a file or from code. A failure says what is wrong and what to do.
 
 use glam::DAffine3;
 
 use super::{LARGEST, MAX_SAMPLES};
 
-/// What is wrong, and what to do.
+/// A fault: what is wrong, and what to do.
 pub(super) type Fault = (String, &'static str);
 
-/// How many samples there are. Each axis needs two, or there would be nothing between them.
+/// The number of samples. Each axis needs at least two, or there would be no space between them.
 pub(super) fn dims(dims: [usize; 3]) -> Result<usize, Fault> {
     if let Some(short) = dims.iter().find(|&&count| count < 2) {
         return Err((
@@ -18,7 +18,7 @@ pub(super) fn dims(dims: [usize; 3]) -> Result<usize, Fault> {
     count_of(dims)
 }
 
-/// How many samples there are, if they are not too many.
+/// The number of samples, unless there are too many.
 pub(super) fn count_of(dims: [usize; 3]) -> Result<usize, Fault> {
     let count = dims.into_iter().try_fold(1_u64, |product, count| {
         product.checked_mul(u64::try_from(count).ok()?)
@@ -35,7 +35,7 @@ pub(super) fn count_of(dims: [usize; 3]) -> Result<usize, Fault> {
     }
 }
 
-/// There must be as many samples as said.
+/// Checks that there are as many samples as `dims` says.
 pub(super) fn count(dims: [usize; 3], found: usize) -> Result<(), Fault> {
     if dims.iter().product::<usize>() == found {
         return Ok(());
@@ -46,7 +46,7 @@ pub(super) fn count(dims: [usize; 3], found: usize) -> Result<(), Fault> {
     ))
 }
 
-/// NaN is empty; what is too large would take what is computed of it out of range.
+/// Checks every sample. NaN is allowed and means empty. A number that is too large would take results out of range.
 pub(super) fn samples(samples: &[f32]) -> Result<(), Fault> {
     match samples.iter().position(|sample| sample.abs() > LARGEST) {
         None => Ok(()),
@@ -57,13 +57,13 @@ pub(super) fn samples(samples: &[f32]) -> Result<(), Fault> {
     }
 }
 
-/// Lengths beyond these are mistakes, and would take the products that are made of them out of range.
+/// Lengths beyond these are mistakes, and would take products out of range.
 const LENGTHS: std::ops::RangeInclusive<f64> = 1e-12..=1e12;
 
-/// How much longer than wide a voxel may be.
+/// The largest allowed ratio of a voxel's length to its width.
 const LONGEST_VOXEL: f64 = 1e3;
 
-/// Axes of a sensible length that span a body.
+/// Checks that the axes have sensible lengths and span a volume.
 pub(super) fn placement(index_to_world: &DAffine3) -> Result<(), Fault> {
     let axes = index_to_world.matrix3;
     let lengths = [axes.x_axis, axes.y_axis, axes.z_axis].map(glam::DVec3::length);
@@ -79,7 +79,7 @@ pub(super) fn placement(index_to_world: &DAffine3) -> Result<(), Fault> {
             "Give finite coordinates of at most 1e12.",
         ));
     }
-    // So that a ray through a volume has no more samples than its sizes account for.
+    // Otherwise a ray could have many more samples than the volume's size suggests.
     let [shortest, longest] =
         [f64::min, f64::max].map(|pick| lengths.into_iter().reduce(pick).unwrap_or(1.0));
     if longest > LONGEST_VOXEL * shortest {
@@ -88,7 +88,7 @@ pub(super) fn placement(index_to_world: &DAffine3) -> Result<(), Fault> {
             "Give spacings of similar sizes, at most 1 to 1000.",
         ));
     }
-    // Relative to a cuboid of the same lengths, so that thin volumes are welcome.
+    // The limit is relative to a cuboid of the same lengths, so that thin volumes are allowed.
     let fullness = axes.determinant().abs() / lengths.into_iter().product::<f64>();
     if !(1e-6..).contains(&fullness) {
         return Err((

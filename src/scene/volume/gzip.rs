@@ -1,18 +1,18 @@
-//! Packed bytes.
+//! Compressed bytes.
 
 use std::io::Read;
 
 use flate2::read::{MultiGzDecoder, ZlibDecoder};
 
-/// Deflate packs at most 1032 bytes into one; what claims to hold more cannot.
+/// Deflate packs at most 1032 bytes into one, so no data can hold more.
 const BEST_RATIO: u64 = 1032;
 
-/// Whether so few packed bytes can hold so many.
+/// Whether so many bytes can be packed into so few.
 pub(super) fn can_hold(packed: u64, wanted: u64) -> bool {
     wanted <= packed.saturating_mul(BEST_RATIO)
 }
 
-/// Whether these bytes are gzip's.
+/// Whether these bytes begin as gzip does.
 pub(super) fn is_gzip(bytes: &[u8]) -> bool {
     bytes.starts_with(&[0x1f, 0x8b])
 }

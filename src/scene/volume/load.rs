@@ -1,4 +1,4 @@
-//! A volume from a file, by its ending.
+//! Reading a volume from a file, by the ending of its name.
 
 use std::path::{Path, PathBuf};
 
@@ -11,21 +11,21 @@ use crate::error::{Error, Place, Result};
 use crate::memory::MemoryLimit;
 use crate::scene::{source, stem};
 
-/// A volume, and what was assumed or left out while reading it, a sentence each.
+/// A volume, and a sentence for each thing that was assumed or left out while reading it.
 #[derive(Debug)]
 pub(in crate::scene) struct Loaded {
     pub(in crate::scene) volume: Volume,
     pub(in crate::scene) notices: Vec<String>,
 }
 
-/// What is asked of a reader besides the file.
+/// The options of a reader.
 #[derive(Clone, Debug)]
 pub(in crate::scene) struct Wish<'a> {
-    /// Of files with several arrays, the one that is wanted.
+    /// The name of the wanted array, for files with several.
     pub(in crate::scene) array: Option<&'a str>,
-    /// What samples mean that are not numbers.
+    /// The meaning of samples that are not numbers.
     pub(in crate::scene) missing: Missing,
-    /// What files and samples may take.
+    /// The memory that files and samples may take.
     pub(in crate::scene) memory: &'a MemoryLimit,
 }
 
@@ -43,7 +43,7 @@ impl Wish<'_> {
         room.map_err(|shortage| shortage.words(format_args!("{samples} samples")))
     }
 
-    /// Another file that the first one names.
+    /// Reads another file that the first one names.
     pub(super) fn read(&self, path: &Path) -> Result<Vec<u8>> {
         source::read_bytes(path, self.memory)
     }
@@ -69,10 +69,10 @@ impl Stored {
     }
 }
 
-/// The endings that are read, for messages.
+/// The endings of files that can be read, for messages.
 pub(super) const ENDINGS: &str = ".nrrd, .nhdr, .nii, .nii.gz, .vti, .pvti";
 
-/// Endings of volumes that are not read, and what they are.
+/// The endings of volumes that cannot be read, what they are, and what to convert them to.
 const UNREAD: [(&str, &str, &str); 12] = [
     (
         ".hdr",
@@ -104,8 +104,8 @@ const UNREAD: [(&str, &str, &str); 12] = [
     (".vtr", "a rectilinear grid of VTK", ".vti"),
 ];
 
-/// Reads a volume. Nothing is allocated that the file's own size does not account for: what a header promises is held
-/// against the bytes that are there first.
+/// Reads a volume. What a header promises is first compared with the bytes of the file, so that nothing is allocated
+/// that the file's own size does not account for.
 pub(in crate::scene) fn load(path: &Path, wish: &Wish) -> Result<Loaded> {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let name = name.to_ascii_lowercase();
@@ -151,24 +151,24 @@ fn expect_no_array(path: &Path, wish: &Wish) -> Result<()> {
     ))
 }
 
-/// Where a file lies that another one names: paths start at the folder of the one that names it.
+/// The path of a file that another file names. It starts at the folder of the naming file.
 pub(super) fn beside(path: &Path, name: &str) -> PathBuf {
     path.parent().unwrap_or(Path::new("")).join(name)
 }
 
-/// Samples that have been read, and all that makes a volume of them.
+/// Samples that were read, and everything that is needed to build a volume from them.
 pub(super) struct Parts<'a> {
     pub(super) path: &'a Path,
     pub(super) dims: [usize; 3],
     pub(super) samples: Vec<f32>,
     pub(super) index_to_world: DAffine3,
-    /// The field that places the samples.
+    /// The header's field that places the samples.
     pub(super) placed_by: Place,
     pub(super) notices: Vec<String>,
 }
 
 impl Parts<'_> {
-    /// Builds the volume; what is wrong with its placement is laid to the field that it comes from.
+    /// Builds the volume. A fault of the placement is reported at the field that it comes from.
     pub(super) fn finish(mut self, wish: &Wish) -> Result<Loaded> {
         let wrong = |(what, remedy): Fault| Error::input(self.placed_by, what, remedy);
         check::placement(&self.index_to_world).map_err(wrong)?;
@@ -201,7 +201,7 @@ mod tests {
         let vti = format!(
             "<VTKFile type=\"ImageData\"><ImageData WholeExtent=\"0 1 0 2 0 3\"><Piece><PointData><DataArray type=\"UInt8\" Name=\"a\" format=\"ascii\">{words}</DataArray></PointData></Piece></ImageData></VTKFile>"
         );
-        // Places after nifti1.h: size, dimensions, type of samples, their distances and their place, magic.
+        // Offsets from nifti1.h: size, dimensions, type of the samples, their distances and position, magic.
         let mut nifti = vec![1; 352 + 24];
         nifti[..352].fill(0);
         let mut put = |at: usize, bytes: &[u8]| nifti[at..at + bytes.len()].copy_from_slice(bytes);

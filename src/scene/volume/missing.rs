@@ -1,28 +1,28 @@
-//! Samples that are not numbers: simulations write NaN where there is nothing, and so do masks and resampled images.
+//! Samples that are not numbers. Simulations, masks and resampled images write NaN where there is nothing.
 
 use super::{EMPTY, LARGEST};
 
-/// What a sample means that is NaN or infinite.
+/// The meaning of a sample that is NaN or infinite.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(in crate::scene) enum Missing {
-    /// There is nothing: the cells around it have no density.
+    /// The sample is empty: the cells around it have no density.
     #[default]
     Empty,
-    /// This finite value.
+    /// The sample has this finite value.
     Value(f32),
 }
 
-/// What was found among the samples.
+/// Counts of samples that are replaced.
 #[derive(Debug, Default, PartialEq, Eq)]
 struct Count {
     nan: usize,
     infinite: usize,
-    /// Finite and beyond what is kept.
+    /// Finite samples beyond the range that is kept.
     large: usize,
 }
 
-/// Replaces what is not a number, and moves what is too large to the largest number that is kept. Says how many of each
-/// there were.
+/// Replaces samples that are not numbers, and moves samples that are too large to the largest number that is kept.
+/// Returns a sentence with their numbers.
 pub(super) fn replace(samples: &mut [f32], missing: Missing) -> Option<String> {
     let value = match missing {
         Missing::Empty => EMPTY,

@@ -1,13 +1,14 @@
-//! Volumes: samples on a lattice that stands anywhere in the world.
+//! Volumes: samples on a lattice, anywhere in world space.
 //!
-//! The samples are points, not cells: the lattice of `dims` points fills the parallelepiped from the first sample to the
-//! last one along each axis, its *proxy box*, and there is nothing outside of it. Between the samples values are
-//! interpolated trilinearly. A volume read from a file stands where the file says; its [`Transform`] comes on top.
+//! The samples are points, not cells. The lattice of `dims` points fills the parallelepiped from the first sample to
+//! the last one along each axis. This is the volume's *proxy box*; there is nothing outside of it. Between the samples,
+//! values are interpolated trilinearly. A volume that was read from a file stands where the file says, and its
+//! [`Transform`] is applied to that.
 //!
-//! A sample may be *empty* (NaN): nothing was measured or computed there. A cell, the box between eight neighbouring
-//! samples, is empty as soon as one of its corners is: it has no value and no density, and no isosurface goes through it.
-//! No value is put in its place, because whatever it is, between it and its neighbours all values in between would appear,
-//! and with them shells that are not in the data.
+//! A sample may be *empty* (NaN): nothing was measured or computed there. A cell is the box between eight neighbouring
+//! samples. If one of its corners is empty, the cell is empty: it has no value and no density, and no isosurface goes
+//! through it. An empty sample is not replaced by any value, because all values between that value and the neighbouring
+//! ones would appear, and with them shells that are not in the data.
 
 mod check;
 mod gzip;
@@ -31,14 +32,14 @@ use super::bounds::Bounds;
 use super::transform::Transform;
 use crate::error::{Error, Result};
 
-/// Samples on a lattice, where they stand, and what they look like.
+/// Samples on a lattice, with their placement and their look.
 #[derive(Clone, Debug)]
 pub struct Volume {
-    /// Name for messages: the file's stem or the generator's name.
+    /// Name, for messages: the file's stem or the generator's name.
     pub name: String,
-    /// What the stored values look like.
+    /// The colours and densities of the stored values.
     pub transfer: Transfer,
-    /// Sampling distance along a ray in voxels, greater than 0. See [`Volume::sampling_distance`].
+    /// The sampling distance along a ray in voxels, greater than 0. See [`Volume::sampling_distance`].
     pub step: f64,
     has_empty: bool,
     dims: [usize; 3],
@@ -50,23 +51,23 @@ pub struct Volume {
 /// The most samples of a volume: 512 Mi, which take 2 GiB.
 pub const MAX_SAMPLES: u64 = 512 << 20;
 
-/// The largest sample, up or down. What is beyond has no use, and differences between such would leave the numbers of 32
-/// bits that shaders compute with.
+/// The largest absolute value of a sample. Larger values have no use, and their differences would exceed the 32-bit
+/// numbers of shaders.
 const LARGEST: f32 = 1e38;
 
-/// A sample that is empty.
+/// The value of an empty sample.
 const EMPTY: f32 = f32::NAN;
 
 impl Volume {
-    /// The sampling distance that nobody asked otherwise for, in voxels.
+    /// The default sampling distance, in voxels.
     pub const DEFAULT_STEP: f64 = 0.5;
 
-    /// A volume of `dims` samples, x fastest, with the sample (i, j, k) at `index_to_world` (i, j, k). NaN is a sample that
-    /// is empty.
+    /// A volume of `dims` samples, x fastest, with the sample (i, j, k) at `index_to_world` (i, j, k). A NaN is an
+    /// empty sample.
     ///
     /// # Errors
-    /// An axis has fewer than 2 samples, there are more than [`MAX_SAMPLES`] or not as many as `dims` says, one is
-    /// infinite or beyond 1e38, or the placement is not finite or flat.
+    /// An axis has fewer than 2 samples. There are more than [`MAX_SAMPLES`] samples, or not as many as `dims` says. A
+    /// sample is infinite or beyond 1e38. The placement is flat or not finite.
     pub fn new(
         name: impl Into<String>,
         dims: [usize; 3],
@@ -94,12 +95,12 @@ impl Volume {
         })
     }
 
-    /// How many samples there are along each of its axes, 2 or more.
+    /// The number of samples along each axis, 2 or more.
     pub fn dims(&self) -> [usize; 3] {
         self.dims
     }
 
-    /// The samples, x fastest, from -1e38 to 1e38; NaN where they are empty.
+    /// The samples, x fastest, from -1e38 to 1e38, or NaN if empty.
     pub fn samples(&self) -> &[f32] {
         &self.samples
     }
@@ -109,33 +110,34 @@ impl Volume {
         self.has_empty
     }
 
-    /// From a sample's indices to its place in the world.
+    /// The map from a sample's indices to its place in the world.
     pub fn index_to_world(&self) -> DAffine3 {
         self.index_to_world
     }
 
-    /// From the world to indices, whole ones at the samples.
+    /// The map from the world to indices, which are whole numbers at the samples.
     pub fn world_to_index(&self) -> DAffine3 {
         self.world_to_index
     }
 
-    /// The value at a world point; `None` outside of the proxy box, NaN where it is empty.
+    /// The value at a world point. It is `None` outside of the proxy box, and NaN in an empty cell.
     pub fn at(&self, world: DVec3) -> Option<f64> {
         let index = self.world_to_index.transform_point3(world);
         let inside = index.cmpge(DVec3::ZERO).all() && index.cmple(self.last()).all();
         inside.then(|| self.at_index(index))
     }
 
-    /// The value between samples, by indices; those outside are moved to the proxy box's surface. NaN in an empty cell.
+    /// The value at a point given in indices, which need not be whole. A point outside is moved to the proxy box's
+    /// surface. The value is NaN in an empty cell.
     pub fn at_index(&self, index: DVec3) -> f64 {
         let index = index.clamp(DVec3::ZERO, self.last());
         let [nx, ny, _] = self.dims;
-        // The cell that the point is in, the last one for a point at the very end.
+        // The cell that the point is in, or the last cell for a point at the very end.
         let cell: [usize; 3] =
             std::array::from_fn(|axis| (index[axis] as usize).min(self.dims[axis] - 2));
         let [x, y, z]: [f64; 3] = std::array::from_fn(|axis| index[axis] - cell[axis] as f64);
         let first = cell[0] + nx * (cell[1] + ny * cell[2]);
-        // NaN goes through all of it, whatever its weight.
+        // A NaN makes the result NaN, whatever its weight.
         let mix = |from: f64, to: f64, part: f64| from + (to - from) * part;
         let along_x = |row: usize| {
             let [from, to] = [self.samples[row], self.samples[row + 1]].map(f64::from);
@@ -150,7 +152,8 @@ impl Volume {
         DVec3::from_array(self.dims.map(|count| (count - 1) as f64))
     }
 
-    /// The proxy box's corners in the world: bit 0 of a corner's number for the end of x, bit 1 of y, bit 2 of z.
+    /// The proxy box's corners in the world. Bits 0, 1 and 2 of a corner's number say whether it is at the end of x, y
+    /// and z.
     pub fn corners(&self) -> [DVec3; 8] {
         let index = Bounds {
             min: DVec3::ZERO,
@@ -161,7 +164,7 @@ impl Volume {
             .map(|corner| self.index_to_world.transform_point3(corner))
     }
 
-    /// The axis-aligned box around its corners.
+    /// The axis-aligned box around the corners.
     pub fn bounds(&self) -> Bounds {
         Bounds::of(self.corners()).expect("there are eight corners")
     }
@@ -173,22 +176,22 @@ impl Volume {
         lengths.into_iter().fold(f64::INFINITY, f64::min)
     }
 
-    /// [`Volume::step`] in world units. Where several volumes overlap, the smallest of theirs is taken.
+    /// [`Volume::step`] in world units. Where several volumes overlap, a ray takes the smallest of their distances.
     pub fn sampling_distance(&self) -> f64 {
         self.step * self.voxel()
     }
 
-    /// The same volume with another look.
+    /// The same volume with another transfer function.
     #[must_use]
     pub fn with_transfer(mut self, transfer: Transfer) -> Self {
         self.transfer = transfer;
         self
     }
 
-    /// The same volume elsewhere.
+    /// The transformed volume.
     ///
     /// # Errors
-    /// This takes it out of the range of numbers, or makes it flat.
+    /// The transform takes the volume out of the range of numbers, or makes it flat.
     pub fn transformed(mut self, transform: &Transform) -> Result<Self> {
         let moved = transform.to_affine() * self.index_to_world;
         if let Err((what, remedy)) = check::placement(&moved) {

@@ -1,10 +1,10 @@
-//! Bytes of a file become samples.
+//! Converting bytes of a file to samples.
 
 use std::io::{self, ErrorKind, Read};
 
 use super::check::Fault;
 
-/// How a file stores a sample.
+/// The type in which a file stores a sample.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum SampleType {
     I8,
@@ -19,7 +19,7 @@ pub(super) enum SampleType {
     F64,
 }
 
-/// In which order a sample's bytes are stored.
+/// The order in which a sample's bytes are stored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Endian {
     Little,
@@ -37,7 +37,7 @@ impl SampleType {
         }
     }
 
-    /// Appends whole samples as the nearest f32. 8 and 16 bits are exact; those with more are rounded.
+    /// Appends samples, each as the nearest f32. Samples of 8 and 16 bits are exact, larger ones are rounded.
     fn convert(self, bytes: &[u8], endian: Endian, samples: &mut Vec<f32>) {
         macro_rules! read {
             ($type:ty) => {
@@ -76,7 +76,7 @@ fn read_f64(bytes: &[u8], endian: Endian, samples: &mut Vec<f32>) {
     });
 }
 
-/// The nearest f32. A finite number stays one.
+/// The nearest f32. A finite number stays finite.
 pub(super) fn nearest(number: f64) -> f32 {
     if number.is_finite() {
         number.clamp(f32::MIN.into(), f32::MAX.into()) as f32
@@ -85,7 +85,7 @@ pub(super) fn nearest(number: f64) -> f32 {
     }
 }
 
-/// What a header says about its samples.
+/// The samples as a header describes them.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Layout {
     pub(super) dims: [usize; 3],
@@ -93,21 +93,21 @@ pub(super) struct Layout {
     pub(super) endian: Endian,
 }
 
-/// How much is converted at a time: a whole number of samples of every type.
+/// The number of bytes that are converted at a time. It is a multiple of every type's size.
 const PIECE: usize = 1 << 16;
 
 impl Layout {
-    /// How many samples there are. The dims have been checked, so that this and the bytes stay in range.
+    /// The number of samples. `dims` was checked, so that this number and the number of bytes stay in range.
     pub(super) fn count(&self) -> usize {
         self.dims.iter().product()
     }
 
-    /// Bytes of all samples.
+    /// The number of bytes of all samples.
     pub(super) fn bytes(&self) -> usize {
         self.count() * self.stored.size()
     }
 
-    /// There must be at least so many bytes as the samples take.
+    /// Checks that there are at least as many bytes as the samples take.
     pub(super) fn expect(&self, found: usize) -> Result<(), Fault> {
         if found >= self.bytes() {
             return Ok(());
@@ -123,8 +123,8 @@ impl Layout {
         ))
     }
 
-    /// Appends the samples, fewer if fewer are there; gives the number of bytes that were read. Nothing is kept of what is
-    /// unpacked but the samples, and no more is unpacked than these.
+    /// Appends the samples, or as many as there are. Returns the number of bytes that were read. No more is unpacked
+    /// than the samples take, and nothing but the samples is kept.
     pub(super) fn read(&self, source: impl Read, samples: &mut Vec<f32>) -> io::Result<usize> {
         let wanted = self.bytes();
         let mut source = source.take(wanted as u64);
@@ -141,7 +141,7 @@ impl Layout {
     }
 }
 
-/// As much as there is; less than the buffer's length only at the end.
+/// Fills the buffer as far as bytes are left. Only at the end of the source are they fewer than the buffer's length.
 fn fill(source: &mut impl Read, buffer: &mut [u8]) -> io::Result<usize> {
     let mut filled = 0;
     while filled < buffer.len() {
@@ -155,8 +155,8 @@ fn fill(source: &mut impl Read, buffer: &mut [u8]) -> io::Result<usize> {
     Ok(filled)
 }
 
-/// Makes room for so many more samples, at once, so that there is never more of it. To be called when the bytes that are
-/// there can hold as many: a header's word is not enough.
+/// Makes room for exactly so many more samples, in one step. Callers know that the file's bytes can hold as many; a
+/// header's promise is not enough.
 pub(super) fn make_room(samples: &mut Vec<f32>, count: usize) -> Result<(), Fault> {
     samples.try_reserve_exact(count).map_err(|_| {
         let size = (count * size_of::<f32>()) >> 20;
@@ -167,8 +167,8 @@ pub(super) fn make_room(samples: &mut Vec<f32>, count: usize) -> Result<(), Faul
     })
 }
 
-/// A number as people and programs write it, with what C libraries print for those that are none: `nan`, `-inf`,
-/// `1.#INF`, `-1.#IND`, `nan(ind)`.
+/// A number as people and programs write it. It may be `nan`, `-inf`, `1.#INF`, `-1.#IND` or `nan(ind)`, which C
+/// libraries print.
 pub(super) fn number(word: &str) -> Option<f64> {
     if let Ok(number) = word.parse() {
         return Some(number);

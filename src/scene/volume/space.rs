@@ -1,5 +1,6 @@
-//! The patient's axes. Files say in which directions x, y and z go; in a scene they go right, anterior (to the front) and
-//! superior (up), which is called RAS, so that volumes of one patient from different files lie where they belong.
+//! The patient's axes. Files say in which directions x, y and z go. In a scene they go to the patient's right, to the
+//! front (anterior) and up (superior), which is called RAS. So volumes of one patient from different files fit
+//! together.
 
 use std::path::Path;
 
@@ -8,7 +9,7 @@ use glam::{DAffine3, DVec3};
 /// An anatomical space.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Space {
-    /// Right, anterior, superior: the world's own.
+    /// Right, anterior, superior: the axes of the world.
     Ras,
     /// Left, anterior, superior.
     Las,
@@ -17,7 +18,7 @@ pub(super) enum Space {
 }
 
 impl Space {
-    /// What RAS is reached by.
+    /// The factors that turn this space into RAS.
     fn signs(self) -> DVec3 {
         match self {
             Self::Ras => DVec3::ONE,
@@ -26,12 +27,12 @@ impl Space {
         }
     }
 
-    /// The placement in the world.
+    /// A placement in this space, as a placement in the world.
     pub(super) fn to_world(self, placement: DAffine3) -> DAffine3 {
         DAffine3::from_scale(self.signs()) * placement
     }
 
-    /// What is to be said about it.
+    /// A sentence for the user if the axes were turned.
     pub(super) fn notice(self, path: &Path) -> Option<String> {
         let (name, changed) = match self {
             Self::Ras => return None,

@@ -1,4 +1,4 @@
-//! Transfer functions: what a stored value looks like.
+//! Transfer functions: the colour and the density of a stored value.
 
 use glam::DVec3;
 
@@ -7,24 +7,26 @@ use crate::error::{Error, Result};
 /// A point of a transfer function.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TransferPoint {
-    /// The stored value that it is about, finite.
+    /// The stored value, finite.
     pub value: f32,
     /// Linear RGB, 0 to 1.
     pub color: [f32; 3],
-    /// Extinction per world unit: a length l lets exp(-`density` l) of the light through. 0 to 1e6.
+    /// Extinction per world unit, 0 to 1e6. A length l lets exp(-`density` l) of the light through.
     pub density: f32,
 }
 
-/// Colour and density of each stored value: linear between its points, constant before the first and after the last.
+/// The colour and density of each stored value. They are linear between points, and constant before the first and after
+/// the last point.
 ///
 /// A length l of a constant value sends out the light `color` x (1 - exp(-`density` x l)) and lets exp(-`density` x l)
-/// of the light behind it through. Two points of the same value make a jump there; the value itself is the second's.
+/// of the light behind it through. Two points of the same value make a jump. At the value itself the second point
+/// counts.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Transfer {
     points: Vec<TransferPoint>,
 }
 
-/// What a value looks like.
+/// The colour and density of one value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Medium {
     /// Linear RGB.
@@ -34,7 +36,7 @@ pub struct Medium {
 }
 
 impl Medium {
-    /// Nothing at all.
+    /// No colour and no density.
     pub const NONE: Self = Self {
         color: DVec3::ZERO,
         density: 0.0,
@@ -42,10 +44,10 @@ impl Medium {
 }
 
 impl Transfer {
-    /// The largest density that is taken.
+    /// The largest density that is allowed.
     pub const MAX_DENSITY: f32 = 1e6;
 
-    /// A function through points in the order of their values.
+    /// A transfer function through points, in ascending order of their values.
     ///
     /// # Errors
     /// There is no point, a value is less than the one before it, or a number is out of its range.
@@ -59,12 +61,12 @@ impl Transfer {
         }
     }
 
-    /// Its points, in the order of their values.
+    /// The points, in ascending order of their values.
     pub fn points(&self) -> &[TransferPoint] {
         &self.points
     }
 
-    /// Colour and density of a value; none of NaN, which stands for what is empty.
+    /// The colour and density of a value. NaN, which means empty, has neither.
     pub fn at(&self, value: f64) -> Medium {
         if value.is_nan() {
             return Medium::NONE;
@@ -94,7 +96,7 @@ impl Transfer {
 }
 
 impl Default for Transfer {
-    /// White, and the value is the density: 0 up to 0, [`Transfer::MAX_DENSITY`] from there on.
+    /// A white transfer function whose density is the value itself, from 0 to [`Transfer::MAX_DENSITY`].
     fn default() -> Self {
         let point = |value| TransferPoint {
             value,
@@ -107,7 +109,7 @@ impl Default for Transfer {
     }
 }
 
-/// The number of the first wrong point, from 1; what is wrong with it; what to do.
+/// The first wrong point: its number from 1, what is wrong with it, and what to do.
 pub(in crate::scene) fn fault(points: &[TransferPoint]) -> Option<(usize, String, &'static str)> {
     if points.is_empty() {
         return Some((1, "is missing".into(), "Give at least one point."));

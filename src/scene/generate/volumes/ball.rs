@@ -8,22 +8,22 @@ use crate::scene::Volume;
 use crate::scene::generate::Refusal;
 use crate::scene::generate::limits::{LENGTH, within};
 
-/// A ball at the origin: one value inside, 0 outside, with a soft surface.
+/// A ball at the origin. It has one value inside and 0 outside, with a soft surface between.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ball {
-    /// Where it is sampled.
+    /// The lattice on which it is sampled.
     pub lattice: Lattice,
-    /// The radius at which the value is half of what it is inside, 1e-6 to 1e6.
+    /// The radius at which the value is half of the value inside, 1e-6 to 1e6.
     pub radius: f32,
-    /// How far the surface reaches inwards and outwards, 0 (a hard surface, between two samples) to 1e6. The value falls
-    /// there as a smooth step.
+    /// How far the soft surface reaches inwards and outwards, 0 (a hard surface, between two samples) to 1e6. The value
+    /// falls there as a smooth step.
     pub softness: f32,
     /// The value inside, -1e6 to 1e6.
     pub value: f32,
 }
 
 impl Default for Ball {
-    /// A ball of radius 0.8 that is 1 inside.
+    /// A ball of radius 0.8 with the value 1 inside.
     fn default() -> Self {
         Self {
             lattice: Lattice::of(64),

@@ -1,4 +1,4 @@
-//! The same everywhere: exp(-density x length) to the letter.
+//! A field that is the same everywhere. It lets exactly exp(-density x length) of the light through.
 
 use glam::DVec3;
 
@@ -11,14 +11,14 @@ use crate::scene::generate::limits::within;
 /// A field of one value.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Constant {
-    /// Where it is sampled.
+    /// The lattice on which it is sampled.
     pub lattice: Lattice,
     /// The value, -1e6 to 1e6.
     pub value: f32,
 }
 
 impl Default for Constant {
-    /// 1 in a cube from -1 to 1.
+    /// The value 1 in a cube from -1 to 1.
     fn default() -> Self {
         Self {
             lattice: Lattice::of(2),

@@ -1,4 +1,4 @@
-//! Two fields of one event: what a sun throws out, as particles and as energy.
+//! Two fields of one event: the particles and the energy that a sun throws out.
 
 use glam::DVec3;
 
@@ -8,33 +8,33 @@ use crate::scene::Volume;
 use crate::scene::generate::Refusal;
 use crate::scene::generate::limits::within;
 
-/// A front that runs from the origin along x, in the manner of a coronal mass ejection. It is no simulation: two smooth
-/// fields that share a place and differ in shape, both 0 to 1.
+/// A front that runs from the origin along x, like a coronal mass ejection. It is not a simulation but two smooth
+/// fields, 0 to 1, which share a place and differ in shape.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ejection {
-    /// Where it is sampled; the sun sits in the cube's middle.
+    /// The lattice on which it is sampled. The sun is in the middle of the cube.
     pub lattice: Lattice,
     /// Which of the two fields.
     pub part: EjectionPart,
-    /// How far the front has come, as a part of half the cube's edge, 0.05 to 1.
+    /// The distance of the front from the sun, as a part of half the cube's edge, 0.05 to 1.
     pub front: f32,
-    /// Half the angle that the front spreads over, in degrees, 5 to 120.
+    /// Half the angle over which the front spreads, in degrees, 5 to 120.
     pub spread: f32,
 }
 
-/// A field of the pair.
+/// One of the two fields.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum EjectionPart {
-    /// The number of particles: a shell swept up by the front, and a wind around the plane z = 0 that thins out with the
-    /// distance squared, in two spiral arms as a turning sun winds them (Parker 1958).
+    /// The density of particles. The front sweeps up a shell. A wind around the plane z = 0 thins out with the squared
+    /// distance, in two spiral arms as a turning sun winds them (Parker 1958).
     #[default]
     Particles,
-    /// The energy: dense at the front's nose, which frays in seven tongues, and a trail of it back to the sun.
+    /// The energy. It is dense at the front's nose, which frays into seven tongues, and leaves a trail back to the sun.
     Energy,
 }
 
 impl Default for Ejection {
-    /// Particles, two thirds of the way out.
+    /// The particles, with the front two thirds of the way out.
     fn default() -> Self {
         Self {
             lattice: Lattice::of(64),
@@ -45,7 +45,7 @@ impl Default for Ejection {
     }
 }
 
-/// One field of the pair, sampled.
+/// One of the two fields, sampled.
 ///
 /// # Errors
 /// A parameter is out of its range.
@@ -53,7 +53,7 @@ pub fn ejection(parameters: &Ejection) -> Result<Volume> {
     checked(parameters)
 }
 
-/// A bell, 1 in its middle and `width` wide.
+/// A bell curve, 1 in its middle and `width` wide.
 fn bell(x: f64, width: f64) -> f64 {
     (-(x / width).powi(2)).exp()
 }

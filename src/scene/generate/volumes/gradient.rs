@@ -1,4 +1,4 @@
-//! Linear from one face to the opposite one: trilinear interpolation is exact on it.
+//! A field that is linear from one face to the opposite one. Trilinear interpolation of it is exact.
 
 use glam::DVec3;
 
@@ -8,10 +8,10 @@ use crate::scene::Volume;
 use crate::scene::generate::Refusal;
 use crate::scene::generate::limits::within;
 
-/// A field that is linear along z and the same along x and y.
+/// A field that is linear along z and constant along x and y.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Gradient {
-    /// Where it is sampled.
+    /// The lattice on which it is sampled.
     pub lattice: Lattice,
     /// The value at the smallest z, -1e6 to 1e6.
     pub from: f32,
@@ -20,7 +20,7 @@ pub struct Gradient {
 }
 
 impl Default for Gradient {
-    /// From 0 to 1 in a cube from -1 to 1.
+    /// A field from 0 to 1 in a cube from -1 to 1.
     fn default() -> Self {
         Self {
             lattice: Lattice::of(2),

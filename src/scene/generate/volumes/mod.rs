@@ -1,7 +1,7 @@
 //! Volumes made by rule: scalar fields, sampled on a lattice.
 //!
-//! Each fills a cube around the origin. In a scene file the parameters are keys of the same names, next to
-//! `generate = "ball"` in a `[[volume]]`; what the values look like is the scene's transfer function.
+//! Each field fills a cube around the origin. In a scene file the parameters are keys of the same names, next to
+//! `generate = "ball"` in a `[[volume]]`. The transfer function of the `[[volume]]` gives the values their look.
 
 mod ball;
 mod constant;
@@ -27,12 +27,12 @@ use crate::error::{Error, Result};
 use crate::memory::MemoryLimit;
 use crate::scene::volume::Volume;
 
-/// The cube that a field fills, and how finely it is sampled.
+/// The cube that a field fills, and the number of its samples.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lattice {
-    /// The cube's edge, 1e-6 to 1e6. It is centred at the origin.
+    /// The edge of the cube, 1e-6 to 1e6. The cube is centred at the origin.
     pub size: f32,
-    /// Samples along each edge, 2 to 512; the first and the last lie on the cube's faces.
+    /// The number of samples along each edge, 2 to 512. The first and the last sample lie on the cube's faces.
     pub samples: u32,
 }
 
@@ -48,22 +48,22 @@ impl Lattice {
     }
 }
 
-/// What all fields can do.
+/// The functions that every field has.
 pub(in crate::scene) trait Field {
-    /// Whether every parameter is in its range; the lattice's are checked elsewhere.
+    /// Checks that every parameter is in its range. The lattice's parameters are checked elsewhere.
     fn check(&self) -> Result<(), Refusal>;
 
-    /// Where it is sampled.
+    /// The lattice on which it is sampled.
     fn lattice(&self) -> Lattice;
 
-    /// Its name in scene files.
+    /// The field's name in scene files.
     fn name(&self) -> &'static str;
 
-    /// Its value at a point; only for parameters in their ranges.
+    /// The field's value at a point. The parameters must be in their ranges.
     fn value(&self, point: DVec3) -> f64;
 }
 
-/// How much memory a field's samples take, in bytes, if its parameters are in their ranges.
+/// The memory that a field's samples take, in bytes, or an error if a parameter is out of its range.
 pub(in crate::scene) fn bytes(field: &dyn Field) -> Result<u64, Refusal> {
     field.lattice().check()?;
     field.check()?;
@@ -71,7 +71,7 @@ pub(in crate::scene) fn bytes(field: &dyn Field) -> Result<u64, Refusal> {
     Ok(samples * size_of::<f32>() as u64)
 }
 
-/// The sampled field, if its parameters are in their ranges.
+/// The sampled field, or an error if a parameter is out of its range.
 pub(in crate::scene) fn sampled(field: &dyn Field) -> Result<Volume, Refusal> {
     let room = bytes(field)? as usize / size_of::<f32>();
     let Lattice { size, samples } = field.lattice();
@@ -101,5 +101,5 @@ fn checked(field: &dyn Field) -> Result<Volume> {
     sampled(field).map_err(refused)
 }
 
-/// Stored values: finite, and far from where f32 ends.
+/// The range of stored values, which is far from the largest f32.
 const VALUE: [f32; 2] = [-1e6, 1e6];

@@ -1,4 +1,4 @@
-//! What charges do to the space around them.
+//! The electrostatic potential of charges.
 
 use glam::DVec3;
 
@@ -11,21 +11,21 @@ use crate::scene::generate::limits::{COORDINATE, LENGTH, all_within, refusal, wi
 /// A charged atom.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Atom {
-    /// Where it is, -1e6 to 1e6 each.
+    /// The atom's position, coordinates -1e6 to 1e6.
     pub position: [f32; 3],
-    /// Its charge, -1e6 to 1e6.
+    /// The atom's charge, -1e6 to 1e6.
     pub charge: f32,
 }
 
 /// The electrostatic potential of atoms: the sum of charge / sqrt(distance^2 + `softness`^2), in charges per unit of
-/// length. Without a softness it would have no bound at the atoms.
+/// length. Without a softness it would be unbounded at the atoms.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Potential {
-    /// Where it is sampled.
+    /// The lattice on which it is sampled.
     pub lattice: Lattice,
-    /// The atoms, at least one. Atoms times samples are at most 4e9.
+    /// The atoms, at least one. The product of the numbers of atoms and samples is at most 4e9.
     pub atoms: Vec<Atom>,
-    /// The length below which a charge is no point, 1e-3 to 1e6.
+    /// The length below which a charge is smoothed, 1e-3 to 1e6.
     pub softness: f32,
 }
 
@@ -59,7 +59,7 @@ pub fn potential(parameters: &Potential) -> Result<Volume> {
     checked(parameters)
 }
 
-/// Some ten seconds of work.
+/// The most atoms times samples: some ten seconds of work.
 const MOST_WORK: u64 = 4_000_000_000;
 
 impl Field for Potential {

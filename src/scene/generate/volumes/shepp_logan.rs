@@ -1,4 +1,4 @@
-//! The head that every tomography is tested on.
+//! The phantom of a head on which methods of tomography are tested.
 
 use glam::DVec3;
 
@@ -7,11 +7,12 @@ use crate::error::Result;
 use crate::scene::Volume;
 use crate::scene::generate::Refusal;
 
-/// The three-dimensional Shepp-Logan phantom with Toft's contrasts: ten ellipsoids, whose values add up. The skull is 1,
-/// the brain 0.2, the ventricles 0, small tumours 0.3; around the head there is 0. z points to the crown, y to the front.
+/// The three-dimensional Shepp-Logan phantom with Toft's contrasts: ten ellipsoids, whose values add up. The skull has
+/// the value 1, the brain 0.2, the ventricles 0, small tumours 0.3, and the space around the head 0. z points to the
+/// crown, y to the front.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SheppLogan {
-    /// Where it is sampled; the head fills 0.92 of the cube's edge.
+    /// The lattice on which it is sampled. The head fills 0.92 of the cube's edge.
     pub lattice: Lattice,
 }
 
@@ -31,8 +32,9 @@ pub fn shepp_logan(parameters: &SheppLogan) -> Result<Volume> {
     checked(parameters)
 }
 
-/// Value, half axes, middle, and the angle about z in degrees; in a cube from -1 to 1. Shepp and Logan 1974 in the plane,
-/// in space after Kak and Slaney 1988 (chapter 3), with Toft's values (1996, appendix B).
+/// The ellipsoids in a cube from -1 to 1: value, half axes, middle, and angle about z in degrees. They are those of
+/// Shepp and Logan (1974) in the plane, of Kak and Slaney (1988, chapter 3) in space, with the values of Toft (1996,
+/// appendix B).
 const ELLIPSOIDS: [(f64, [f64; 3], [f64; 3], f64); 10] = [
     (1.0, [0.69, 0.92, 0.81], [0.0, 0.0, 0.0], 0.0),
     (-0.8, [0.6624, 0.874, 0.78], [0.0, -0.0184, 0.0], 0.0),

@@ -8,19 +8,19 @@ use crate::scene::Volume;
 use crate::scene::generate::Refusal;
 use crate::scene::generate::limits::within;
 
-/// A vortex after Lamb and Oseen whose axis winds around z, with a jet along it. Lengths are parts of half the cube's
-/// edge; the samples are the flow's speed, of order 1.
+/// A vortex after Lamb and Oseen whose axis winds around z, with a jet along the axis. Lengths are parts of half the
+/// cube's edge. The samples are the flow's speed, which is of order 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Swirl {
-    /// Where it is sampled.
+    /// The lattice on which it is sampled.
     pub lattice: Lattice,
     /// The radius of the vortex's core, 0.01 to 1.
     pub core: f32,
-    /// The distance of its axis from z, 0 to 1.
+    /// The distance of the vortex's axis from the z axis, 0 to 1.
     pub winding: f32,
-    /// How often the axis turns around z from bottom to top, 0 to 10.
+    /// How often the vortex's axis turns around z from bottom to top, 0 to 10.
     pub turns: f32,
-    /// The speed of the jet along the axis, 0 to 10; the vortex's own is at most 0.64.
+    /// The speed of the jet along the axis, 0 to 10. The speed of the vortex itself is at most 0.64.
     pub jet: f32,
 }
 
@@ -53,7 +53,7 @@ impl Swirl {
         let (sin, cos) = (std::f64::consts::PI * turns * point.z).sin_cos();
         let away = DVec3::new(point.x - winding * cos, point.y - winding * sin, 0.0);
         let part = away.length_squared() / (core * core);
-        // (1 - exp(-part)) / part, which is 1 in the axis.
+        // (1 - exp(-part)) / part, which is 1 on the axis.
         let turning = if part < 1e-8 {
             1.0
         } else {

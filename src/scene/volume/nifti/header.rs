@@ -1,23 +1,23 @@
-//! The header, of both versions: the same fields at other places, with other widths.
+//! The header of both versions. They have the same fields at different offsets and with different widths.
 //!
-//! After the standards' nifti1.h and nifti2.h, <https://nifti.nimh.nih.gov>. It is read here because the crate that reads
-//! NIfTI knows the first version only.
+//! Source: the standards' nifti1.h and nifti2.h, <https://nifti.nimh.nih.gov>. The crate that reads NIfTI knows only
+//! the first version, so the header is read here.
 
 use std::path::Path;
 
 use crate::error::{Error, Place, Result};
 use crate::scene::volume::samples::Endian;
 
-/// What is used of a header, all numbers widened.
+/// The fields of a header that are used, with all numbers widened.
 #[derive(Clone, Debug)]
 pub(super) struct Header {
     pub(super) endian: Endian,
-    /// How many dimensions are used, then the length of each.
+    /// The number of dimensions that are used, then the length of each.
     pub(super) dim: [i64; 8],
     pub(super) datatype: i16,
     /// The sign of z, then the voxel's sizes.
     pub(super) pixdim: [f64; 4],
-    /// Where the samples begin, in bytes.
+    /// The offset of the samples, in bytes.
     pub(super) offset: f64,
     pub(super) slope: f64,
     pub(super) inter: f64,
@@ -30,16 +30,16 @@ pub(super) struct Header {
     version: &'static Version,
 }
 
-/// Where the fields stand.
+/// The offsets of the fields.
 #[derive(Debug)]
 struct Version {
     name: &'static str,
-    /// Bytes of a header.
+    /// The number of bytes of a header.
     size: usize,
     magic: usize,
-    /// Of a file with header and samples in one.
+    /// The magic of a file that holds header and samples.
     single: &'static [u8],
-    /// Of a header whose samples are in another file.
+    /// The magic of a header whose samples are in another file.
     pair: &'static [u8],
     dim: usize,
     datatype: usize,
@@ -86,7 +86,7 @@ static TWO: Version = Version {
     is_wide: true,
 };
 
-/// Bytes of the longer header.
+/// The number of bytes of the longer header.
 pub(super) const LONGEST: usize = 540;
 
 const REMEDY: &str =
@@ -131,13 +131,14 @@ impl Header {
         self.version.name
     }
 
-    /// Bytes of the header alone.
+    /// The number of bytes of the header alone.
     pub(super) fn size(&self) -> usize {
         self.version.size
     }
 }
 
-/// By the header's own size, its first field, which is one of two numbers in one of two orders.
+/// The version and the byte order, by the header's first field: its own size, which is one of two numbers in one of two
+/// byte orders.
 fn recognise(bytes: &[u8]) -> Result<(&'static Version, Endian), String> {
     let Some(first) = bytes.first_chunk() else {
         return Err(format!("there are {} bytes", bytes.len()));
@@ -200,7 +201,7 @@ impl Fields<'_> {
         }
     }
 
-    /// In the first version lengths beyond 32767 are not allowed, and are taken as unsigned.
+    /// The first version does not allow lengths beyond 32767. They are read as unsigned.
     fn length(&self, i: usize) -> i64 {
         if self.version.is_wide {
             number!(self, self.version.dim + 8 * i, i64)

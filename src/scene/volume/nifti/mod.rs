@@ -1,8 +1,8 @@
 //! NIfTI-1 and NIfTI-2 in one file, plain (`.nii`) or packed (`.nii.gz`).
 //!
-//! Stored values are scaled as the header asks: a slope that is 0 or not finite means that there is nothing to scale, an
-//! intercept that is not finite means 0. The samples stand where the sform says, or else the qform, or else the voxel
-//! sizes, in the patient's right-anterior-superior axes, which are the world's.
+//! Stored values are scaled as the header asks. A slope that is 0 or not finite means no scaling, and an intercept that
+//! is not finite means 0. The samples are placed by the sform, or else by the qform, or else by the voxel sizes. Axes
+//! are the patient's right-anterior-superior ones, which are the world's.
 
 mod header;
 
@@ -79,7 +79,7 @@ fn room(path: &Path, layout: &Layout) -> Result<Vec<f32>> {
     Ok(samples)
 }
 
-/// Something is wrong with a field of the header.
+/// The error for a field of the header.
 fn wrong(path: &Path, field: &str, what: impl Into<String>, remedy: &str) -> Error {
     Error::input(Place::file(path).token(field), what, remedy)
 }
@@ -130,7 +130,7 @@ fn layout(path: &Path, header: &Header) -> Result<Layout> {
     })
 }
 
-/// The type, or what the standard calls one that is not read.
+/// The type, or the standard's name for a type that cannot be read.
 fn stored(datatype: i16) -> Result<SampleType, &'static str> {
     Ok(match datatype {
         2 => SampleType::U8,
@@ -154,7 +154,7 @@ fn stored(datatype: i16) -> Result<SampleType, &'static str> {
     })
 }
 
-/// Where the samples begin. Beyond 2^24 not every f32 is a byte's place, and no header is that long.
+/// The offset of the samples. Beyond 2^24 an f32 cannot be every offset, and no header is that long.
 fn start(path: &Path, header: &Header) -> Result<usize> {
     let offset = header.offset;
     let first = header.size();
@@ -167,7 +167,7 @@ fn start(path: &Path, header: &Header) -> Result<usize> {
     Err(wrong(path, "vox_offset", what, &remedy))
 }
 
-/// Scales the samples, and says what was wrong with the header's numbers.
+/// Scales the samples. Returns a sentence if the header's numbers are wrong.
 fn scale(path: &Path, header: &Header, samples: &mut [f32]) -> Option<String> {
     let Header { slope, inter, .. } = *header;
     let is_scaled = slope.is_finite() && slope != 0.0;
@@ -187,7 +187,7 @@ fn scale(path: &Path, header: &Header, samples: &mut [f32]) -> Option<String> {
         .then(|| format!("{name}: `scl_inter` is {inter}, and is taken as 0"))
 }
 
-/// What is not a number is none after scaling, too; finite numbers stay so.
+/// The scaled sample. What is not a number is not one after scaling, and a finite number stays finite.
 fn nearest_scaled(sample: f32, slope: f64, inter: f64) -> f32 {
     if sample.is_finite() {
         nearest((f64::from(sample) * slope + inter).clamp(f64::MIN, f64::MAX))
@@ -196,7 +196,7 @@ fn nearest_scaled(sample: f32, slope: f64, inter: f64) -> f32 {
     }
 }
 
-/// The field that places the samples, and where it does.
+/// The field that places the samples, and the placement.
 fn placement(header: &Header) -> (&'static str, DAffine3) {
     let [qfac, dx, dy, dz] = header.pixdim;
     let sizes = DVec3::new(dx, dy, dz);
@@ -207,7 +207,7 @@ fn placement(header: &Header) -> (&'static str, DAffine3) {
     }
     if header.qform > 0 {
         let imaginary = DVec3::from_array(header.quatern);
-        // The real part is left out of the file; rounding may have made the rest a little longer than 1.
+        // The file leaves out the real part. Rounding may have made the rest a little longer than 1.
         let real = (1.0 - imaginary.length_squared()).max(0.0).sqrt();
         let rotation = DQuat::from_xyzw(imaginary.x, imaginary.y, imaginary.z, real);
         let handed = if qfac < 0.0 { -1.0 } else { 1.0 };
@@ -218,7 +218,8 @@ fn placement(header: &Header) -> (&'static str, DAffine3) {
     ("pixdim", DAffine3::from_scale(sizes))
 }
 
-/// A quaternion of any length but zero; what is not finite stays so, to be refused with the placement.
+/// The rotation of a quaternion of any length but zero. Numbers that are not finite stay so, and the placement is
+/// refused later.
 fn matrix(rotation: DQuat) -> DMat3 {
     DMat3::from_quat(rotation.normalize())
 }

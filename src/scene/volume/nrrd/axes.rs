@@ -1,19 +1,19 @@
-//! The three axes of a volume among those of the file, which may have more: of those that have one sample only, as many
-//! are left out as there are too many.
+//! The three axes of a volume among the axes of a file. A file may have more than three; then axes of a single sample
+//! are left out until three are left.
 
 use super::header::Header;
 use crate::error::Result;
 use crate::scene::volume::check;
 
-/// The file's axes, and which of them are kept.
+/// The file's axes, and the axes that are kept.
 pub(super) struct Axes {
-    /// The lengths of all of them.
+    /// The lengths of all axes.
     pub(super) sizes: Vec<usize>,
-    /// Numbers of those that are kept, in their order.
+    /// The numbers of the axes that are kept, in their order.
     pub(super) kept: [usize; 3],
 }
 
-/// As many axes as the format allows.
+/// The largest number of axes that the format allows.
 const MOST: usize = 16;
 
 impl Axes {
@@ -43,13 +43,14 @@ impl Axes {
         Ok(axes)
     }
 
-    /// The lengths of those that are kept.
+    /// The lengths of the axes that are kept.
     pub(super) fn dims(&self) -> [usize; 3] {
         self.kept.map(|axis| self.sizes[axis])
     }
 }
 
-/// Leaves out what is too much: first axes of one sample that do not lie in space, then others of one sample.
+/// Leaves out axes until three are left: first axes of one sample that do not lie in space, then other axes of one
+/// sample.
 fn kept(header: &Header, sizes: &[usize]) -> Result<[usize; 3]> {
     let outside = outside_of_space(header, sizes.len());
     let mut kept: Vec<usize> = (0..sizes.len()).collect();
@@ -74,7 +75,7 @@ fn kept(header: &Header, sizes: &[usize]) -> Result<[usize; 3]> {
     })
 }
 
-/// Which axes have no direction in space.
+/// The axes that have no direction in space.
 fn outside_of_space(header: &Header, axes: usize) -> Vec<bool> {
     let directions = header.optional("space directions");
     let text = directions.map_or("", |field| field.text.as_str());
@@ -83,7 +84,7 @@ fn outside_of_space(header: &Header, axes: usize) -> Vec<bool> {
     outside
 }
 
-/// What stands in the place of a direction that there is none.
+/// The word that stands in place of a missing direction.
 pub(super) const NONE: &str = "none";
 
 /// The items of a list of vectors: `(1,0,0)`, brackets included, or a word.

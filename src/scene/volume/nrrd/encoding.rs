@@ -1,4 +1,4 @@
-//! How a file's samples are written: as they are, packed, as hexadecimal digits or as decimal numbers.
+//! The encoding of a file's samples: raw, packed, as hexadecimal digits or as decimal numbers.
 
 use std::io::{self, Read};
 
@@ -7,7 +7,7 @@ use crate::error::{Error, Result};
 use crate::scene::volume::gzip;
 use crate::scene::volume::samples::{Layout, make_room, numbers};
 
-/// An encoding that is read.
+/// An encoding that can be read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Encoding {
     Raw,
@@ -43,7 +43,7 @@ impl Encoding {
         self != Self::Text
     }
 
-    /// Appends the samples of a file. `layout` is that of the file's part.
+    /// Appends the samples of a file. `layout` is the layout of this file's part.
     pub(super) fn read(
         self,
         header: &Header,
@@ -75,7 +75,7 @@ impl Encoding {
             }
             Self::Hex => {
                 let start = skip.within(header, data.len(), layout)?;
-                // At most; white space may be among them.
+                // An upper bound: there may be white space among the digits.
                 expect(header, layout, (data.len() - start) / 2)?;
                 room(header, layout, samples)?;
                 let mut digits = Digits {
@@ -100,7 +100,7 @@ fn room(header: &Header, layout: &Layout, samples: &mut Vec<f32>) -> Result<()> 
     fault.map_err(|(what, remedy)| header.wrong("sizes", what, remedy))
 }
 
-/// As many samples as there are, and the number of their bytes.
+/// The samples that there are, and the number of their bytes.
 fn take(
     header: &Header,
     layout: &Layout,
@@ -131,7 +131,7 @@ fn text(header: &Header, layout: &Layout, data: &[u8], samples: &mut Vec<f32>) -
         let what = format!("there are {found} numbers for {wanted} samples");
         header.wrong("sizes", what, AGAIN)
     };
-    // A digit and a space for each but the last.
+    // Each sample takes at least a digit and, except the last, a space.
     let most = text.len().div_ceil(2);
     if most < wanted {
         return Err(short(text.split_whitespace().count()));
@@ -151,11 +151,11 @@ fn text(header: &Header, layout: &Layout, data: &[u8], samples: &mut Vec<f32>) -
     }
 }
 
-/// What is not looked at before the samples.
+/// The bytes before the samples, which are skipped.
 #[derive(Clone, Copy)]
 enum Skip {
     Bytes(u64),
-    /// All that comes before the samples at the file's end.
+    /// Everything before the samples, which are at the file's end.
     ToTheEnd,
 }
 
@@ -183,7 +183,7 @@ impl Skip {
         }
     }
 
-    /// Of unpacked bytes, whose number nobody knows.
+    /// Skips unpacked bytes, whose total number is not known.
     fn of_stream(self, header: &Header) -> Result<u64> {
         match self {
             Self::ToTheEnd => Err(only_raw(header)),

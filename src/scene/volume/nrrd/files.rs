@@ -1,4 +1,4 @@
-//! Where the samples' bytes are: after the header, in a file of their own, or spread over several files.
+//! The files that hold the samples: the header's file, a file of their own, or several files.
 
 use std::collections::{HashMap, HashSet};
 use std::path::PathBuf;
@@ -9,23 +9,23 @@ use crate::error::Result;
 use crate::scene::MAX_BYTES;
 use crate::scene::volume::load::{Stored, beside};
 
-/// The files, all with as many samples.
+/// The files. Each holds the same number of samples.
 pub(super) enum Files<'h> {
-    /// The header's own.
+    /// The file that has the header.
     Attached,
-    /// One.
+    /// One other file.
     Single(&'h str),
-    /// Several, in the order of the samples.
+    /// Several files, in the order of the samples.
     Listed(&'h [String]),
-    /// Several with a number in their names.
+    /// Several files with a number in their names.
     Numbered(Numbered<'h>),
 }
 
-/// `file%03d.raw 1 10 1`: names made of numbers, from the first up to the last, in steps.
+/// `file%03d.raw 1 10 1`: names with numbers, from the first to the last, in steps.
 pub(super) struct Numbered<'h> {
     before: &'h str,
     after: &'h str,
-    /// How many characters the number has at least, and whether zeros fill it up.
+    /// The least number of characters of the number, and whether it is filled up with zeros.
     width: usize,
     zeros: bool,
     first: i64,
@@ -75,8 +75,8 @@ impl<'h> Files<'h> {
         }
     }
 
-    /// Each file has the first `subdim` axes, by default all but the last one; with all of them the last axis is spread
-    /// over the files.
+    /// Each file has the first `subdim` axes, by default all but the last. If `subdim` is the number of all axes, the
+    /// last axis is divided among the files.
     fn expect_count(&self, header: &Header, axes: &Axes, subdim: Option<usize>) -> Result<()> {
         let dimension = axes.sizes.len();
         let subdim = subdim.unwrap_or(dimension - 1);
@@ -127,8 +127,7 @@ impl<'h> Files<'h> {
         (0..count).map(move |number| beside(header.path, &self.name(number)))
     }
 
-    /// The paths of the files but the header's own, one after the other. What they have together is held against the
-    /// limit of a single file.
+    /// The paths of the files other than the header's. Their total size is compared with the limit of a single file.
     pub(super) fn paths<'f>(
         &'f self,
         header: &'f Header,
@@ -159,8 +158,8 @@ fn bad_subdim(header: &Header) -> crate::error::Error {
 }
 
 impl<'h> Numbered<'h> {
-    /// The numbers are at the end; what comes before is the name. A name without a place for a number, or without the
-    /// numbers, is that of a single file.
+    /// The numbers are at the end, after the name. A name without a place for a number, or without numbers after it, is
+    /// the name of a single file.
     fn parse(text: &'h str) -> Option<(Self, Option<usize>)> {
         [4, 3].into_iter().find_map(|count| Self::with(text, count))
     }
@@ -193,7 +192,7 @@ impl<'h> Numbered<'h> {
             zeros: width.starts_with('0'),
             first,
             step,
-            // Where the step leads away from the last number there is none.
+            // If the step leads away from the last number, there is no file.
             count: usize::try_from(steps).map_or(0, |steps| steps.saturating_add(1)),
         };
         let subdim = subdim
@@ -209,7 +208,7 @@ impl<'h> Numbered<'h> {
             width,
             ..
         } = *self;
-        // Within the first and the last number.
+        // This is between the first and the last number.
         let value = i128::from(self.first) + i128::from(self.step) * number as i128;
         if self.zeros {
             format!("{before}{value:0width$}{after}")

@@ -1,27 +1,27 @@
-//! The header's lines, each field with where it stands.
+//! The header's fields, each with its line.
 
 use std::collections::BTreeMap;
 use std::path::Path;
 
 use crate::error::{Error, Place, Result};
 
-/// The header's fields and where they end.
+/// The header's fields, and where they end.
 pub(super) struct Header<'a> {
     pub(super) path: &'a Path,
     fields: BTreeMap<&'static str, Field>,
-    /// After `data file: LIST`: the files' names, a line each.
+    /// The names of the files after `data file: LIST`, one per line.
     pub(super) list: Vec<String>,
-    /// Where an attached header's samples begin.
+    /// The offset of the samples after an attached header.
     pub(super) end: usize,
 }
 
-/// What stands after a field's colon.
+/// A field's value: the text after its colon.
 pub(super) struct Field {
     line: usize,
     pub(super) text: String,
 }
 
-/// Every field of the format. The first list is used; nothing in an image depends on the second.
+/// Every field of the format. The fields of the first list are used. No image depends on the fields of the second.
 const USED: [&str; 13] = [
     "dimension",
     "type",
@@ -57,7 +57,7 @@ const UNUSED: [&str; 18] = [
     "space units",
     "measurement frame",
 ];
-/// Of those, the ones that a reader may expect to place the volume.
+/// The fields of the second list that a reader might expect to place the volume.
 const PLACING: [&str; 2] = ["axis mins", "axis maxs"];
 
 impl<'a> Header<'a> {
@@ -90,7 +90,7 @@ impl<'a> Header<'a> {
         Ok(header)
     }
 
-    /// The line at `end`, without its end; moves on behind it.
+    /// Reads the line at `end`, without its line end, and moves `end` behind it.
     fn next_line<'b>(&mut self, bytes: &'b [u8]) -> Option<&'b [u8]> {
         let rest = &bytes[self.end..];
         if rest.is_empty() {
@@ -112,7 +112,7 @@ impl<'a> Header<'a> {
             ));
         };
         if value.starts_with('=') {
-            // A key and its value: notes for people and programs, which change nothing here.
+            // A key and its value are notes for people and programs, and change nothing here.
             return Ok(());
         }
         let known = USED.into_iter().chain(UNUSED);
@@ -138,7 +138,7 @@ impl<'a> Header<'a> {
         Ok(())
     }
 
-    /// Whether what follows are names of files, to the file's end.
+    /// Whether names of files follow, up to the file's end.
     fn is_list(&self) -> bool {
         let field = self.optional("data file");
         field.is_some_and(|field| field.text.split_whitespace().next() == Some("LIST"))
@@ -179,7 +179,7 @@ impl<'a> Header<'a> {
         }
     }
 
-    /// The line of a field, its text as the token; the file if it is not there.
+    /// The line of a field with its text as the token, or the file if the field is missing.
     pub(super) fn place(&self, name: &str) -> Place {
         match self.optional(name) {
             Some(field) => Place::line(self.path, field.line).token(&field.text),
@@ -187,13 +187,13 @@ impl<'a> Header<'a> {
         }
     }
 
-    /// Something is wrong with a field.
+    /// The error for a field.
     pub(super) fn wrong(&self, name: &str, what: impl AsRef<str>, remedy: &str) -> Error {
         let what = format!("`{name}`: {}", what.as_ref());
         Error::input(self.place(name), what, remedy)
     }
 
-    /// What the file says in vain.
+    /// A sentence about fields that have no effect here.
     pub(super) fn notices(&self) -> Vec<String> {
         let found = PLACING.iter().filter(|name| self.optional(name).is_some());
         let notice = |name: &&str| {
@@ -206,7 +206,7 @@ impl<'a> Header<'a> {
     }
 }
 
-/// The versions that there are; they differ in fields, each of which is known here.
+/// The known versions. They differ in their fields, and each of these fields is known here.
 const VERSIONS: std::ops::RangeInclusive<u8> = b'1'..=b'6';
 
 fn expect_magic(path: &Path, line: &[u8]) -> Result<()> {

@@ -1,9 +1,9 @@
 //! NRRD: a text header, and the samples after it (`.nrrd`) or in files of their own (`.nhdr`).
 //!
-//! After the format's definition, <https://teem.sourceforge.net/nrrd/format.html>. Read are arrays of three axes with more
-//! than one sample, of every type but `block`, with the encodings `raw`, `gzip`, `hex` and `ascii`; samples in one file or
-//! in several, listed or numbered. If `space` names the patient's axes, the volume is put into those of the world,
-//! right-anterior-superior; otherwise the file's own space is the world.
+//! Source: the format's definition, <https://teem.sourceforge.net/nrrd/format.html>. Arrays of three axes with more
+//! than one sample can be read, of every type but `block`, with the encodings `raw`, `gzip`, `hex` and `ascii`. The
+//! samples may be in one file or in several, which are listed or numbered. If `space` names the patient's axes, the
+//! volume is turned into the world's, right-anterior-superior. Otherwise the file's own space is the world.
 
 mod axes;
 mod encoding;
@@ -64,7 +64,7 @@ fn samples(
     bytes: &[u8],
     wish: &Wish,
 ) -> Result<Vec<f32>> {
-    // A file's part; of a single file the shape is said if it is short.
+    // The layout of a file's part. For a single file, an error about missing bytes says the volume's shape.
     let dims = match files.count() {
         1 => layout.dims,
         parts => [layout.count() / parts, 1, 1],
@@ -87,7 +87,8 @@ fn samples(
     Ok(samples)
 }
 
-/// What is skipped of packed samples has to be unpacked, in each of the files, which may be one and the same.
+/// Checks the bytes to skip in packed samples. They have to be unpacked in each of the files, and all of them may be
+/// the same file.
 fn expect_little_to_skip(header: &Header, files: &Files) -> Result<()> {
     const MOST: u64 = 1 << 30;
     let skip = header.integer("byte skip")?.unwrap_or(0);

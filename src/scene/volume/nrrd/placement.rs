@@ -1,5 +1,5 @@
-//! Where the samples stand: `space directions`, or else `spacings`, or else one unit apart; from `space origin` on; in
-//! the patient's axes if `space` names them, or else in the file's own.
+//! The placement of the samples. `space directions` gives it, or else `spacings`, or else the samples are one unit
+//! apart. It starts at `space origin`. It is in the patient's axes if `space` names them, or else in the file's own.
 
 use glam::{DAffine3, DMat3, DVec3};
 
@@ -8,7 +8,7 @@ use super::header::Header;
 use crate::error::Result;
 use crate::scene::volume::space::Space;
 
-/// A placement, the field that it is owed to, and the space that it is in, if that is known.
+/// A placement, the field that it comes from, and its space if that is known.
 pub(super) struct Placement {
     pub(super) affine: DAffine3,
     pub(super) field: &'static str,
@@ -44,8 +44,8 @@ fn expect_space_of_three(header: &Header) -> Result<()> {
     }
 }
 
-/// The format's names of the patient's spaces. Others (of scanners, or only left- or right-handed) say nothing about where
-/// the patient's sides are.
+/// The format's names of the patient's spaces. Other names (of scanners, or only left- or right-handed) do not say
+/// where the patient's sides are.
 fn space(header: &Header) -> Result<Option<Space>> {
     let Some(field) = header.optional("space") else {
         return Ok(None);

@@ -1,4 +1,4 @@
-//! The format's names of its types.
+//! The format's names of the types of samples.
 
 use crate::scene::volume::samples::SampleType;
 

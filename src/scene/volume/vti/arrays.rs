@@ -1,4 +1,4 @@
-//! Which array of a file is the volume.
+//! Choosing the array of a file that becomes the volume.
 
 use roxmltree::Node;
 
@@ -7,28 +7,28 @@ use super::document::Document;
 use crate::error::Result;
 use crate::scene::volume::load::Wish;
 
-/// The array that was chosen, by which it is found in every piece.
+/// The chosen array, as it is found in every piece.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Choice {
     pub(super) kind: Kind,
-    /// Nothing for an array without a name.
+    /// The name, or `None` for an array without a name.
     name: Option<String>,
 }
 
-/// An array that a file has.
+/// An array of a file.
 struct Array<'a> {
     kind: Kind,
     name: Option<&'a str>,
     components: &'a str,
-    /// The file names it as the one that is looked at.
+    /// Whether the file names it as the active array.
     is_active: bool,
 }
 
-/// What VTK calls its mask of samples that are not to be looked at.
+/// VTK's name for its mask of hidden samples.
 const GHOSTS: &str = "vtkGhostType";
 
 impl Array<'_> {
-    /// One number for each sample.
+    /// Whether it has one number per sample.
     fn is_scalar(&self) -> bool {
         matches!(self.components, "0" | "1") && self.name != Some(GHOSTS)
     }
@@ -38,9 +38,9 @@ impl Array<'_> {
     }
 }
 
-/// Chooses among the arrays of an element: the one that is asked for, or else the active scalars, or else the first
-/// scalars, those of points before those of cells. `prefix` is P in the files that name pieces. What was chosen without
-/// being named by anybody is said.
+/// Chooses among the arrays of an element: the wanted one, or else the active scalars, or else the first scalars, with
+/// those of points before those of cells. `prefix` is P in files that name pieces. If neither the user nor the file
+/// names the chosen array, a sentence says which one it is.
 pub(super) fn choose(
     document: &Document,
     parent: Node,
@@ -92,7 +92,7 @@ fn arrays<'a>(parent: Node<'a, 'a>, prefix: &str) -> Vec<Array<'a>> {
     found
 }
 
-/// The elements of that name in another one.
+/// The child elements of that name.
 pub(super) fn children<'a, 'n>(
     parent: Node<'a, 'a>,
     name: &'n str,
@@ -151,7 +151,7 @@ fn names<'a>(arrays: impl Iterator<Item = &'a Array<'a>>) -> String {
     names.join(", ")
 }
 
-/// The chosen array of a piece.
+/// The chosen array in a piece.
 pub(super) fn find<'a>(
     document: &Document,
     piece: Node<'a, 'a>,

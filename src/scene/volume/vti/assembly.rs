@@ -1,18 +1,18 @@
-//! Pieces of an image, put together.
+//! Putting the pieces of an image together.
 
 use super::block::Block;
 use crate::scene::volume::check::Fault;
 
-/// An image of which pieces are there.
+/// An image that some pieces have filled.
 pub(super) struct Assembly {
     whole: Block,
     samples: Vec<f32>,
     known: Known,
-    /// How many samples may still come.
+    /// The number of samples that may still come.
     left: usize,
 }
 
-/// What of the whole has been in pieces.
+/// The samples that have come so far.
 enum Known {
     Nothing,
     /// These samples.
@@ -20,7 +20,8 @@ enum Known {
     All,
 }
 
-/// How often pieces may hold the whole: where each cell is a piece of its own, every point is in eight of them.
+/// How often the pieces may hold the whole extent. Where each cell is a piece of its own, every point is in eight
+/// pieces.
 const OVERLAP: usize = 8;
 
 impl Assembly {
@@ -33,8 +34,8 @@ impl Assembly {
         }
     }
 
-    /// Whether a piece of this size may come; to be asked before it is read, so that pieces that lie over one another do
-    /// not take for ever.
+    /// Checks that a piece of this size may come. It is called before the piece is read, so that pieces that lie over
+    /// one another do not take for ever.
     pub(super) fn expect(&mut self, block: &Block) -> Result<(), Fault> {
         match self.left.checked_sub(block.count()) {
             Some(left) => {
@@ -48,8 +49,8 @@ impl Assembly {
         }
     }
 
-    /// Puts a piece in its place. Where pieces overlap, as those of points do at their borders, the later one counts;
-    /// what is outside of the whole is left out.
+    /// Puts a piece in its place. Where pieces overlap, as pieces of points do at their borders, the later one counts.
+    /// Samples outside of the whole extent are left out.
     pub(super) fn add(&mut self, block: Block, samples: Vec<f32>) {
         if block == self.whole {
             self.samples = samples;
@@ -58,7 +59,7 @@ impl Assembly {
         }
         let count = self.whole.count();
         if let Known::Nothing = self.known {
-            // Zeros cost no memory until they are written to: what is taken is what the pieces really have.
+            // Zeros cost no memory until they are overwritten, so only what the pieces really have takes memory.
             self.samples = vec![0.0; count];
             self.known = Known::Part(vec![false; count]);
         }
@@ -70,7 +71,7 @@ impl Assembly {
         });
     }
 
-    /// The whole.
+    /// The whole image.
     ///
     /// # Errors
     /// The number of samples that no piece has.

@@ -1,20 +1,20 @@
-//! Base64 text as bytes, while it is read.
+//! Decoding base64 text while it is read.
 
 use std::io::{self, Read};
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 
-/// The bytes of a text. White space has no meaning. Several texts may follow one another, each with its padding: VTK
-/// encodes an array's head and its samples for themselves.
+/// A reader of the bytes of a base64 text. White space has no meaning. Several texts may follow one another, each with
+/// its padding, because VTK encodes an array's head and its samples separately.
 pub(super) struct Base64<'a> {
     text: &'a [u8],
     decoded: Vec<u8>,
-    /// How many of them have been read.
+    /// The number of digits that have been read.
     read: usize,
 }
 
-/// How many digits are decoded at a time, a multiple of 4.
+/// The number of digits that are decoded at a time, a multiple of 4.
 const PIECE: usize = 1 << 14;
 
 impl<'a> Base64<'a> {
@@ -26,8 +26,8 @@ impl<'a> Base64<'a> {
         }
     }
 
-    /// Decodes the next digits: a piece of them, or up to the padding that ends a text. Something is taken of the text
-    /// each time, unless it is at its end.
+    /// Decodes the next digits, up to a limit or to the padding that ends a text. Each call takes at least one digit,
+    /// unless the text is at its end.
     fn decode(&mut self) -> io::Result<()> {
         let mut digits = Vec::with_capacity(PIECE);
         let mut is_padded = false;

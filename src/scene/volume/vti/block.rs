@@ -2,24 +2,24 @@
 
 use glam::{DAffine3, DVec3};
 
-/// Where samples are: the indices of the first one, and how many there are along each axis.
+/// A box of samples: the indices of the first one, and their number along each axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Block {
     pub(super) first: [i64; 3],
     pub(super) counts: [i64; 3],
 }
 
-/// What the samples belong to.
+/// The kind of place to which samples belong.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
-    /// The lattice's points.
+    /// Samples at the lattice's points.
     Points,
-    /// The cells between them; the samples are in the cells' middles.
+    /// Samples of the cells between points. They are in the cells' middles.
     Cells,
 }
 
 impl Kind {
-    /// The element of a piece with such arrays.
+    /// The element of a piece that holds such arrays.
     pub(super) fn element(self) -> &'static str {
         match self {
             Self::Points => "PointData",
@@ -27,7 +27,7 @@ impl Kind {
         }
     }
 
-    /// The samples of an extent: first and last index of points along x, y and z.
+    /// The samples of an extent, which gives the first and the last index of points along x, y and z.
     pub(super) fn block(self, [x0, x1, y0, y1, z0, z1]: [i64; 6]) -> Block {
         let one_more = i64::from(self == Self::Points);
         Block {
@@ -36,7 +36,7 @@ impl Kind {
         }
     }
 
-    /// From a sample's indices to the place of its point.
+    /// The map from a sample's indices to its place among the points.
     pub(super) fn shift(self) -> DAffine3 {
         match self {
             Self::Points => DAffine3::IDENTITY,
@@ -46,7 +46,7 @@ impl Kind {
 }
 
 impl Block {
-    /// There is nothing in it: pieces that got no part of an image are written so.
+    /// Whether it is empty. Programs write an empty piece where a piece got no part of the image.
     pub(super) fn is_empty(&self) -> bool {
         self.counts.iter().any(|&count| count <= 0)
     }
@@ -56,13 +56,13 @@ impl Block {
         self.counts.map(|count| usize::try_from(count).unwrap_or(0))
     }
 
-    /// How many samples it has. Their number has been checked.
+    /// The number of samples, which has been checked.
     pub(super) fn count(&self) -> usize {
         self.dims().iter().product()
     }
 
-    /// Calls with each row that it has in common with another block: where the row begins in itself and in the other
-    /// one, and how long it is.
+    /// Calls with each row that it shares with another block: where the row begins in this block and in the other, and
+    /// the row's length.
     pub(super) fn for_each_common_row(
         &self,
         other: &Self,
@@ -81,7 +81,7 @@ impl Block {
         }
     }
 
-    /// The first common index of an axis, and the one after the last.
+    /// The first common index along an axis, and the index after the last.
     fn common(&self, other: &Self, axis: usize) -> [i64; 2] {
         let end = |block: &Self| block.first[axis] + block.counts[axis];
         [
@@ -90,7 +90,7 @@ impl Block {
         ]
     }
 
-    /// Of indices that are within.
+    /// The number of a sample, by indices that are within the block.
     fn offset(&self, index: [i64; 3]) -> usize {
         let [x, y, z]: [i64; 3] = std::array::from_fn(|axis| index[axis] - self.first[axis]);
         (x + self.counts[0] * (y + self.counts[1] * z)) as usize

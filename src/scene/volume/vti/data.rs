@@ -12,12 +12,12 @@ use crate::scene::volume::samples::{Endian, Layout, SampleType, make_room, numbe
 
 const AGAIN: &str = "The file is damaged or cut off: save the image again.";
 
-/// What a file says at its top about all of its data.
+/// What a file says in its first element about all of its data.
 pub(super) struct Form<'a> {
     document: &'a Document<'a>,
     root: Node<'a, 'a>,
     endian: Endian,
-    /// Bytes of a whole number before the samples.
+    /// The number of bytes of the whole numbers before the samples.
     width: usize,
 }
 
@@ -38,7 +38,7 @@ impl<'a> Form<'a> {
             stored: self.stored(array)?,
             endian: self.endian,
         };
-        // The text may be in parts, between elements that say more about the array.
+        // The text may be in several parts, between elements that say more about the array.
         let texts = array.children().filter(Node::is_text);
         let texts: Vec<&str> = texts.filter_map(|node| node.text()).collect();
         match array.attribute("format") {
@@ -65,12 +65,12 @@ impl<'a> Form<'a> {
         })
     }
 
-    /// Each number takes at least two characters, so that the text's length bounds what is allocated.
+    /// Samples as text. Each number takes at least two characters, so the text's length bounds the memory.
     fn ascii(&self, texts: &[&str], layout: &Layout) -> Result<Vec<f32>> {
         let wanted = layout.count();
         let words = || texts.iter().flat_map(|text| text.split_whitespace());
         let mut samples = Vec::new();
-        // One more shows that there are too many.
+        // One more number than wanted shows that there are too many.
         numbers(words().take(wanted + 1), &mut samples).map_err(|word| {
             let shown: String = word.chars().take(20).collect();
             let what = format!("the word '{shown}' is not a number");
@@ -83,7 +83,7 @@ impl<'a> Form<'a> {
         Err(self.document.wrong("DataArray", what, AGAIN))
     }
 
-    /// The array's part of the appended data; others may follow it.
+    /// The array's part of the appended data. Other arrays may follow it.
     fn appended(&self, array: Node, layout: &Layout) -> Result<Vec<f32>> {
         let document = self.document;
         let offset = array.attribute("offset").unwrap_or("0");
@@ -112,9 +112,10 @@ impl<'a> Form<'a> {
         }
     }
 
-    /// Whole numbers that say how long the array is, then the samples, packed or not. There are at most `most` bytes.
+    /// Reads whole numbers that say how long the array is, then the samples, packed or not. There are at most `most`
+    /// bytes.
     fn binary(&self, source: impl Read, most: usize, layout: &Layout) -> Result<Vec<f32>> {
-        // Of numbers in ASCII it does not matter what would be packed how.
+        // For numbers in ASCII the compressor does not matter.
         let is_packed = is_packed(self.document, self.root)?;
         let mut source = Counted { source, read: 0 };
         let result = if is_packed {
@@ -142,7 +143,7 @@ impl<'a> Form<'a> {
         let mut source = source.take(said);
         let mut samples = Vec::new();
         if most < layout.bytes() {
-            // So few cannot hold the samples; how many there are is worth saying.
+            // So few bytes cannot hold the samples. The message says how many there are.
             let found = io::copy(&mut source, &mut io::sink())?;
             layout.expect(found as usize)?;
         }
@@ -152,7 +153,8 @@ impl<'a> Form<'a> {
         Ok(samples)
     }
 
-    /// Number of blocks, bytes of a block unpacked, those of the last one if it is shorter, then each one's bytes packed.
+    /// The head of packed data: the number of blocks, the unpacked bytes of a block, those of the last block if it is
+    /// shorter, then the packed bytes of each block.
     fn packed(
         &self,
         source: &mut impl Read,
@@ -198,7 +200,7 @@ impl<'a> Form<'a> {
     }
 }
 
-/// What is wrong with an array's bytes.
+/// The error for an array's bytes.
 enum Fault {
     Io(io::Error),
     Samples(String, &'static str),
@@ -216,7 +218,7 @@ impl From<(String, &'static str)> for Fault {
     }
 }
 
-/// Counts what is read.
+/// A reader that counts the bytes it has read.
 struct Counted<R> {
     source: R,
     read: usize,
@@ -230,23 +232,23 @@ impl<R: Read> Read for Counted<R> {
     }
 }
 
-/// Packed blocks, unpacked one after the other.
+/// A reader that unpacks blocks one after the other.
 struct Blocks<'a, R> {
     source: &'a mut R,
     lengths: std::vec::IntoIter<u64>,
-    /// Bytes of a block unpacked.
+    /// The number of unpacked bytes of a block.
     size: u64,
     packed: Vec<u8>,
     block: Vec<u8>,
-    /// How much of the block has been read.
+    /// The number of bytes of the block that have been read.
     read: usize,
     number: usize,
-    /// Bytes that are still of use.
+    /// The number of bytes that are still wanted.
     left: u64,
 }
 
 impl<R: Read> Blocks<'_, R> {
-    /// Grows with what is really there: a length's word is not taken for it.
+    /// The buffer grows with the bytes that are really there. A length in the file is not trusted.
     fn unpack(&mut self, length: u64) -> io::Result<()> {
         self.packed.clear();
         let mut packed = self.source.by_ref().take(length);

@@ -1,4 +1,4 @@
-//! The file in two: XML that a parser takes, and appended data.
+//! The two parts of a file: XML for a parser, and appended data.
 
 use std::path::Path;
 
@@ -9,16 +9,16 @@ use crate::error::{Error, Place, Result};
 /// A `.vti` file.
 pub(super) struct Document<'a> {
     path: &'a Path,
-    /// The XML, closed where the appended data was.
+    /// The XML. It is closed where the appended data was.
     text: String,
-    /// What stands after the underscore.
+    /// The bytes after the underscore.
     pub(super) appended: &'a [u8],
 }
 
 const START: &[u8] = b"<AppendedData";
 
 impl<'a> Document<'a> {
-    /// Cuts off the appended data.
+    /// Separates the appended data from the XML.
     pub(super) fn split(path: &'a Path, bytes: &'a [u8]) -> Result<Self> {
         let start = bytes.windows(START.len()).position(|part| part == START);
         let (xml, close, appended) = match start {
@@ -64,17 +64,17 @@ impl<'a> Document<'a> {
         self.path
     }
 
-    /// Where a field stands, as far as it is known.
+    /// The place of a field, as far as it is known.
     pub(super) fn place(&self, field: &str) -> Place {
         Place::file(self.path).token(field)
     }
 
-    /// Something is wrong with an element or an attribute.
+    /// The error for an element or an attribute.
     pub(super) fn wrong(&self, field: &str, what: String, remedy: &str) -> Error {
         Error::input(self.place(field), what, remedy)
     }
 
-    /// The first element of that name in another one.
+    /// The first child element of that name.
     pub(super) fn child<'b>(&self, parent: Node<'b, 'b>, name: &str) -> Result<Node<'b, 'b>> {
         let mut children = parent.children();
         children
@@ -85,7 +85,7 @@ impl<'a> Document<'a> {
             })
     }
 
-    /// The numbers of an attribute, as many as there must be; nothing if it is not there.
+    /// The `N` numbers of an attribute, or `None` if the attribute is missing.
     pub(super) fn numbers<T, const N: usize>(
         &self,
         node: Node,

@@ -1,4 +1,4 @@
-//! An image's element: its whole extent, and where that stands.
+//! An image's element: its whole extent, and its placement.
 
 use glam::{DAffine3, DMat3, DVec3};
 use roxmltree::Node;
@@ -15,7 +15,7 @@ pub(super) type Extent = [i64; 6];
 /// The lattice that an image's pieces share.
 pub(super) struct Image {
     pub(super) extent: Extent,
-    /// From a point's indices to the world.
+    /// The map from a point's indices to the world.
     affine: DAffine3,
 }
 
@@ -51,14 +51,14 @@ impl Image {
         Ok(block)
     }
 
-    /// From the indices of a block's samples, the first one's being 0, to the world.
+    /// The map from the indices of a block's samples, counted from 0, to the world.
     pub(super) fn index_to_world(&self, block: &Block, kind: Kind) -> DAffine3 {
         let first = DVec3::from_array(block.first.map(|index| index as f64));
         self.affine * kind.shift() * DAffine3::from_translation(first)
     }
 }
 
-/// An extent, if there is one.
+/// The extent, or `None` if the attribute is missing.
 pub(super) fn extent(document: &Document, node: Node, key: &str) -> Result<Option<Extent>> {
     let read = |word: &str| word.parse::<i32>().ok().map(i64::from);
     document.numbers(node, key, read)

@@ -1,9 +1,10 @@
-//! VTK's images: `.vti`, of one piece or several, and `.pvti`, whose pieces are files.
+//! VTK's images: `.vti` files, of one piece or several, and `.pvti` files, whose pieces are other files.
 //!
-//! After VTK's description of its XML formats, <https://docs.vtk.org/en/latest/vtk_file_formats/vtkxml_file_format.html>.
-//! Read are scalars of the points, or of the cells, whose samples then are in the cells' middles; in the formats `ascii`,
-//! `binary` and `appended` (`raw` or `base64`), plain or packed by VTK's zlib compressor. The XML is `roxmltree`'s
-//! business; raw appended data is not XML, and is cut off before. The format names no space: its own is the world.
+//! Source: VTK's description of its XML formats,
+//! <https://docs.vtk.org/en/latest/vtk_file_formats/vtkxml_file_format.html>. Scalars of points and of cells can be
+//! read; samples of cells are in the cells' middles. Formats are `ascii`, `binary` and `appended` (`raw` or `base64`),
+//! plain or packed by VTK's zlib compressor. `roxmltree` reads the XML. Raw appended data is not XML, and is separated
+//! first. The format names no anatomical space, so its own space is the world.
 
 mod arrays;
 mod assembly;
@@ -28,7 +29,7 @@ use data::Form;
 use document::Document;
 use image::{Extent, Image};
 
-/// An image in one file.
+/// Reads an image in one file.
 pub(super) fn read(path: &Path, bytes: &[u8], wish: &Wish) -> Result<Loaded> {
     let document = Document::split(path, bytes)?;
     let tree = document.parse()?;
@@ -43,7 +44,7 @@ pub(super) fn read(path: &Path, bytes: &[u8], wish: &Wish) -> Result<Loaded> {
     finish(&document, &image, whole, &choice, assembly, notice, wish)
 }
 
-/// An image whose pieces are in files of their own.
+/// Reads an image whose pieces are in files of their own.
 pub(super) fn read_parallel(path: &Path, bytes: &[u8], wish: &Wish) -> Result<Loaded> {
     let document = Document::split(path, bytes)?;
     let tree = document.parse()?;
@@ -97,7 +98,7 @@ fn add_file(path: &Path, choice: &Choice, assembly: &mut Assembly, wish: &Wish) 
     add_pieces(&document, tree.root_element(), choice, assembly)
 }
 
-/// The image's element of a file that is of the right type.
+/// The image's element, if the file has the right type.
 fn element<'a>(document: &Document, root: Node<'a, 'a>, wanted: &str) -> Result<Node<'a, 'a>> {
     let kind = root.attribute("type").unwrap_or_default();
     if root.tag_name().name() != "VTKFile" || kind != wanted {
@@ -116,13 +117,13 @@ fn extent_of(document: &Document, piece: Node, image: &Image) -> Result<Extent> 
     Ok(image::extent(document, piece, "Extent")?.unwrap_or(image.extent))
 }
 
-/// A piece of no points: its writer had nothing to write.
+/// Whether a piece has no points, because its writer had nothing to write.
 fn is_empty(document: &Document, piece: Node, image: &Image) -> Result<bool> {
     let extent = extent_of(document, piece, image)?;
     Ok(block::Kind::Points.block(extent).is_empty())
 }
 
-/// The first piece that has something in it, which stands for the others in what arrays there are.
+/// The first piece that is not empty. The other pieces have the same arrays.
 fn first_piece<'a>(
     document: &Document,
     element: Node<'a, 'a>,
@@ -136,7 +137,7 @@ fn first_piece<'a>(
     document.child(element, "Piece")
 }
 
-/// All pieces of a file that have something in them.
+/// Reads all pieces of a file that are not empty.
 fn add_pieces(
     document: &Document,
     root: Node,
