@@ -1,9 +1,10 @@
 //! The oracle: sort, then composite in f64. It knows neither steps nor GL, and every exact method has to equal it.
 //!
-//! One policy for equal depths, everywhere in onionskin: what was submitted first lies in front.
+//! Everywhere in onionskin there is one policy for equal depths: the fragment that was submitted first lies in front.
 //!
-//! [`composite`] takes a list of fragments with depths as it is. The exact image does not take the driver's depths for
-//! true: [`surfaces`] finds in f64 where a pixel's ray meets each triangle, and [`pixel`] sorts by that.
+//! [`composite`] takes the depths of a list of fragments as they are. The exact image does not trust the driver's
+//! depths: [`surfaces`] computes in f64 where a pixel's ray meets each triangle, and [`pixel`] sorts by these
+//! distances.
 
 mod coplanar;
 mod depth_buffer;
@@ -17,8 +18,8 @@ use crate::fragment::{Fragment, Rgba};
 
 /// Composites the fragments of one pixel over an opaque background, in f64.
 ///
-/// The fragments are sorted by depth, those of equal depth by order of submission; those at or behind `opaque_depth`
-/// are left out. Each then goes under what lies before it: `C += (1 - A) a c`, `A += (1 - A) a`.
+/// The fragments are sorted by depth, and by order of submission if their depths are equal. Fragments at or behind
+/// `opaque_depth` are left out. Each fragment then goes under those before it: `C += (1 - A) a c`, `A += (1 - A) a`.
 pub fn composite(fragments: &mut Vec<Fragment>, opaque_depth: f32, background: Rgba) -> [f64; 4] {
     fragments.retain(|fragment| fragment.depth < opaque_depth);
     fragments.sort_by(|a, b| a.depth.total_cmp(&b.depth).then(a.order.cmp(&b.order)));
@@ -31,7 +32,7 @@ pub fn composite(fragments: &mut Vec<Fragment>, opaque_depth: f32, background: R
     [image[0], image[1], image[2], 1.0 - visible]
 }
 
-/// Puts `color` under what has been composited so far, of which `visible` still lets the rest through.
+/// Puts `color` under the fragments composited so far. `visible` is the part of the light that they let through.
 fn under(image: &mut [f64; 3], visible: &mut f64, color: Rgba) {
     let alpha = f64::from(color.a);
     for (channel, value) in image.iter_mut().zip([color.r, color.g, color.b]) {
@@ -98,7 +99,7 @@ mod tests {
             .map(|i| fragment(i as f32 / 64.0, [0.0; 3], 0.25, i))
             .collect();
         let [red, ..] = composite(&mut list, 1.0, WHITE);
-        // Light that passes n layers of opacity a: (1 - a)^n. Bound: 50 roundings of 2^-53.
+        // n layers of opacity a let (1 - a)^n of the light through. Bound: 50 roundings of 2^-53.
         assert_abs_diff_eq!(red, 0.75_f64.powi(50), epsilon = 50.0 * f64::EPSILON);
     }
 }

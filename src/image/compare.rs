@@ -4,8 +4,8 @@ use super::Image;
 use crate::error::{Error, Result};
 use crate::fragment::Rgba;
 
-/// How far two pictures of the same size are apart, channel by channel, 0 to 1. Two infinities of the same sign are
-/// equal; where either side is not a number the difference is infinite, so that no bound lets it pass.
+/// The differences of two pictures of the same size, channel by channel, 0 to 1. Two infinities of the same sign are
+/// equal. If either value is not a number, the difference is infinite, so that it is over every bound.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Comparison {
     /// The largest difference of any channel.
@@ -16,16 +16,17 @@ pub struct Comparison {
     pub rms: f64,
     /// 99 of 100 pixels differ by at most this in every channel.
     pub percentile_99: f64,
-    /// The bound that was asked for.
+    /// The bound that the caller gave.
     pub bound: f64,
-    /// Pixels with a channel that differs by more than the bound.
+    /// The number of pixels with a channel that differs by more than the bound.
     pub over: usize,
-    /// The pixel with the largest difference, column and row from the top left; none if there is no difference.
+    /// The column and the row, from the top left, of the pixel with the largest difference. `None` if there is no
+    /// difference.
     pub worst: Option<[u32; 2]>,
 }
 
 impl Comparison {
-    /// Compares two pictures, counting the pixels that differ by more than `bound` in a channel.
+    /// Compares two pictures, and counts the pixels that differ by more than `bound` in a channel.
     ///
     /// # Errors
     /// If their sizes differ.
@@ -33,8 +34,8 @@ impl Comparison {
         Self::among(a, b, bound, |_| true)
     }
 
-    /// Compares the pixels of two pictures that are `among` those that count, by their number, row by row from the top.
-    /// With none of them the pictures do not differ.
+    /// Compares only the pixels for which `among` is true. It gets a pixel's number, row by row from the top. If it is
+    /// true for no pixel, the pictures do not differ.
     ///
     /// # Errors
     /// If their sizes differ.
@@ -80,7 +81,7 @@ impl Comparison {
 }
 
 impl Comparison {
-    /// How far each pixel's most different channel is apart, in the pictures' order.
+    /// The largest difference of a channel for each pixel, in the pictures' order.
     ///
     /// # Errors
     /// If their sizes differ.
@@ -107,8 +108,8 @@ fn differences(a: Rgba, b: Rgba) -> [f64; 4] {
     })
 }
 
-/// Both pictures and their difference side by side. The difference is multiplied by `gain`, so that what is too small
-/// to see can be seen: black is equal, and red, green and blue say in which channel they differ.
+/// Both pictures and their difference side by side. The difference is multiplied by `gain`, so that small differences
+/// can be seen. Black means equal; red, green and blue show the channels that differ.
 ///
 /// # Errors
 /// If their sizes differ.

@@ -1,4 +1,4 @@
-//! Picture files: PNG in 8 bits, EXR in 32-bit float. Written whole or not at all.
+//! Picture files: PNG in 8 bits, EXR in 32-bit float. A file is written whole or not at all.
 
 use std::io::Cursor;
 use std::path::Path;
@@ -10,17 +10,17 @@ use super::output::write_whole;
 use crate::error::{Error, Result};
 use crate::fragment::Rgba;
 
-/// What the numbers of an 8-bit picture mean.
+/// The meaning of the numbers of an 8-bit picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Encoding {
-    /// The linear values as they are: VTK's convention, so that pictures compare.
+    /// The linear values as they are. This is VTK's convention, so that pictures can be compared.
     #[default]
     Linear,
-    /// Encoded for a display (sRGB). Alpha is never encoded.
+    /// Values encoded for a display (sRGB). Alpha is never encoded.
     Srgb,
 }
 
-/// A kind of picture file, by its ending.
+/// A kind of picture file, as the ending of its name says.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FileKind {
     /// `.png`: four channels of 8 bits.
@@ -30,10 +30,10 @@ pub enum FileKind {
 }
 
 impl FileKind {
-    /// The kind that a file's name says.
+    /// The kind of a file, by its name.
     ///
     /// # Errors
-    /// If it says none.
+    /// If the name has neither ending.
     pub fn of(path: &Path) -> Result<Self> {
         match path
             .extension()
@@ -60,18 +60,18 @@ impl Image {
         self.save_as(path, Encoding::Linear)
     }
 
-    /// Writes the picture as its name says, `.png` or `.exr`; an EXR is always linear. The file appears only when it
-    /// is whole.
+    /// Writes the picture as a PNG or an EXR, by the ending of `path`. An EXR is always linear. The file appears only
+    /// when it is whole.
     ///
     /// # Errors
-    /// If the name says neither, or the file cannot be written; what was there before is then still there.
+    /// If the name has neither ending, or the file cannot be written. What was there before is then still there.
     pub fn save_as(&self, path: impl AsRef<Path>, encoding: Encoding) -> Result<()> {
         let path = path.as_ref();
         let (picture, format) = match FileKind::of(path)? {
             FileKind::Png => (self.to_bytes(encoding), ImageFormat::Png),
             FileKind::Exr => (self.to_floats(), ImageFormat::OpenExr),
         };
-        // The encoders want to seek; a buffer lets them.
+        // The encoders need to seek, which a buffer allows.
         let mut buffer = Cursor::new(Vec::new());
         picture
             .write_to(&mut buffer, format)

@@ -1,7 +1,7 @@
-//! Reading picture files, which are other people's.
+//! Reading picture files of other people.
 //!
-//! A file's header says how large the picture is, and a small file may say that it is enormous: so the header is read
-//! first, and what the picture takes is held against what there is before anything is decoded.
+//! A file's header says how large the picture is, and a small file may say that its picture is enormous. So the header
+//! is read first, and the memory of the picture is compared with the memory that is left, before anything is decoded.
 
 use std::fs::File;
 use std::io::BufReader;
@@ -15,25 +15,25 @@ use crate::error::{Error, Place, Result, with_slashes};
 use crate::fragment::Rgba;
 use crate::memory::MemoryLimit;
 
-/// The largest file that is read: 2 GiB, more than any driver's largest image takes on the disk.
+/// The largest file that is read: 2 GiB, which is more than the largest image of any driver takes on the disk.
 const MAX_BYTES: u64 = 2 << 30;
 
-/// Bytes of memory for each pixel: as the file has it, at most four floats, the same as floats, and as pixels.
+/// Bytes of memory for each pixel: at most four floats as in the file, the same as floats, and the same as pixels.
 const BYTES_PER_PIXEL: u64 = 3 * 16;
 
-/// Bytes for each pixel of a data window: unpacked, and as the channels that are wanted.
+/// Bytes of memory for each pixel of a data window: unpacked, and as the wanted channels.
 const BYTES_PER_KEPT_PIXEL: u64 = 2 * 16;
 
 impl Image {
     /// Reads a `.png` or `.exr`. 8-bit values are taken as linear.
     ///
     /// # Errors
-    /// If the file is not there, is not what its name says, or is larger than the machine's memory.
+    /// If the file is missing, is not what its name says, or takes more memory than the machine has.
     pub fn load(path: impl AsRef<Path>) -> Result<Self> {
         Self::load_within(path, &MemoryLimit::of_machine())
     }
 
-    /// Reads the same, with no more memory than may be taken.
+    /// Reads the same within a memory limit.
     ///
     /// # Errors
     /// As [`Image::load`].
@@ -61,17 +61,16 @@ impl Image {
         Ok(of_floats(decode()?))
     }
 
-    /// Width and height as the header of a `.png` or `.exr` says them. Nothing is decoded.
+    /// The width and height from the header of a `.png` or `.exr`. Nothing is decoded.
     ///
     /// # Errors
-    /// If the file is not there or is not what its name says.
+    /// If the file is missing or is not what its name says.
     pub fn size_of_file(path: impl AsRef<Path>) -> Result<[u32; 2]> {
         Ok(header(path.as_ref())?.0)
     }
 }
 
-/// The picture's size, and how many pixels its file keeps besides, which the decoder makes room for: those of the data
-/// windows of an EXR.
+/// The picture's size, and the number of pixels in the data windows of an EXR, for which the decoder takes memory too.
 fn header(path: &Path) -> Result<([u32; 2], u64)> {
     let format = format_of(path)?;
     let reader = ImageReader::with_format(open(path)?, format);
@@ -95,7 +94,7 @@ fn format_of(path: &Path) -> Result<ImageFormat> {
     })
 }
 
-/// A file, and neither a folder nor what blocks or never ends.
+/// Opens a file. Folders, and things that block or never end, are refused.
 fn open(path: &Path) -> Result<BufReader<File>> {
     let unreadable = |error: std::io::Error| match with_slashes(path) {
         Some(remedy) => Error::input(Place::file(path), "there is no such file", remedy),
@@ -109,7 +108,7 @@ fn open(path: &Path) -> Result<BufReader<File>> {
     Ok(BufReader::new(File::open(path).map_err(unreadable)?))
 }
 
-/// How many pixels an EXR file keeps: those of its data windows, which need not be the picture's.
+/// The number of pixels in an EXR file's data windows, which may differ from the picture.
 fn data_windows(path: &Path) -> Result<u64> {
     let file = open(path)?;
     let read = || exr::meta::MetaData::read_from_buffered(file, false);
@@ -125,10 +124,10 @@ fn data_windows(path: &Path) -> Result<u64> {
 }
 
 /// # Errors
-/// If a picture's file keeps many times its pixels, all of which the decoder makes room for: a margin around the picture,
-/// and a part for each eye or layer, are no reason for so many.
+/// If a file keeps many times the picture's pixels, for all of which the decoder takes memory. A margin around the
+/// picture, and a part for each eye or layer, do not explain so many.
 fn expect_near(path: &Path, [width, height]: [u32; 2], kept: u64) -> Result<()> {
-    /// Of any picture.
+    /// This many are allowed for any picture.
     const SPARE: u64 = 1 << 20;
     const TIMES: u64 = 64;
     let shown = u64::from(width) * u64::from(height);
@@ -139,7 +138,7 @@ fn expect_near(path: &Path, [width, height]: [u32; 2], kept: u64) -> Result<()> 
     Err(wrong(path, what))
 }
 
-/// What a decoder makes of the file. A decoder that panics over damaged bytes has refused them, too.
+/// Decodes the file. A decoder that panics over damaged bytes counts as having refused them.
 fn decoded<T>(path: &Path, decode: impl FnOnce() -> ImageResult<T>) -> Result<T> {
     match catch_unwind(AssertUnwindSafe(decode)) {
         Ok(Ok(picture)) => Ok(picture),

@@ -1,4 +1,4 @@
-//! Pictures: float pixels, their files, and how two of them differ.
+//! Pictures: float pixels, their files, and the differences of two pictures.
 
 mod compare;
 mod file;
@@ -14,14 +14,14 @@ pub use resemblance::{NEARLY_ALL, Resemblance, resemblance};
 
 use crate::fragment::Rgba;
 
-/// A picture. Pixels are linear, rows from top to bottom.
+/// A picture. Pixels are linear, and rows go from top to bottom.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Image {
     /// Pixels per row.
     pub width: u32,
     /// Rows.
     pub height: u32,
-    /// Row by row from the top, each from the left.
+    /// The pixels, row by row from the top, each row from the left.
     pub pixels: Vec<Rgba>,
 }
 
@@ -35,7 +35,7 @@ impl Image {
         }
     }
 
-    /// From texels as GL reads them: the bottom row first.
+    /// A picture from texels in GL's order, with the bottom row first.
     ///
     /// # Panics
     /// If there are not `width x height` texels.
@@ -56,7 +56,7 @@ impl Image {
     /// The pixel in column `x` from the left and row `y` from the top.
     ///
     /// # Panics
-    /// If there is none.
+    /// If there is no such pixel.
     pub fn pixel(&self, x: u32, y: u32) -> Rgba {
         assert!(x < self.width, "column {x} of {}", self.width);
         self.pixels[y as usize * self.width as usize + x as usize]
@@ -93,7 +93,7 @@ impl Image {
             .chunks(columns.max(1))
             .map(|row| Self::beside(row, gap, color))
             .collect();
-        // Rows below each other are columns beside each other, transposed.
+        // Rows below each other are made as columns beside each other, and transposed.
         let transposed: Vec<_> = rows.iter().map(Self::transposed).collect();
         Self::beside(&transposed.iter().collect::<Vec<_>>(), gap, color).transposed()
     }

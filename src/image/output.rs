@@ -1,12 +1,12 @@
 //! Files that appear whole or not at all.
 //!
-//! A symbolic link is followed: its target is replaced, and the link stays. What is neither file nor link (a pipe, a
-//! device) is refused: there is no way to write it whole or not at all, and one that nobody reads would be waited for.
+//! A symbolic link is followed: its target is replaced, and the link stays. Pipes and devices are refused. They cannot
+//! be written whole or not at all, and writing to a pipe that nobody reads would wait for ever.
 //!
-//! On Linux a file has no name until it is whole (`O_TMPFILE`), so a killed program leaves nothing behind. Only where
-//! something of the name is there already does the file have another name for the moment between two system calls; and for
-//! a little longer on file systems that know no files without names, and on other systems. What a program leaves that is
-//! killed just then is taken away by the next one that asks for the folder ([`check_writable`]).
+//! On Linux a file has no name until it is whole (`O_TMPFILE`), so a killed program leaves nothing behind. If a file of
+//! the name exists already, the new file has another name for the moment between two system calls. On file systems that
+//! do not support files without names, and on other systems, it has another name while it is written. If the program is
+//! killed at such a moment, the next program that asks for the folder removes the file ([`check_writable`]).
 
 use std::fs::{self, File, TryLockError};
 use std::io::{self, Write};
@@ -15,16 +15,17 @@ use std::time::Duration;
 
 use crate::error::{Error, Result};
 
-/// How the names of files begin that are not whole yet, or not yet at their place.
+/// The prefix of the names of files that are not whole yet, or not yet at their place.
 pub const UNFINISHED: &str = ".onionskin-";
 
-/// Files of other programs that are that old are not being locked just now.
+/// Another program locks a file as soon as it has made it. A file older than this that is not locked will not be locked
+/// any more.
 const SETTLED: Duration = Duration::from_secs(2);
 
-/// As many links lead to a file at most, as on Linux.
+/// The longest chain of links, as on Linux.
 const MOST_LINKS: usize = 40;
 
-/// Writes a file whole or not at all. What was there before is there until then.
+/// Writes a file whole or not at all. Until the new file is whole, the old one is still there.
 pub(crate) fn write_whole(path: &Path, bytes: &[u8]) -> Result<()> {
     let wrong = |error: io::Error| unwritable(path, error.to_string());
     let place = destination(path)?;
@@ -33,7 +34,7 @@ pub(crate) fn write_whole(path: &Path, bytes: &[u8]) -> Result<()> {
     file.appear_at(&place).map_err(wrong)
 }
 
-/// Asks, before a long computation, whether its result could be written to `path`.
+/// Checks, before a long computation, that its result could be written to `path`.
 ///
 /// # Errors
 /// If it could not.
@@ -44,7 +45,7 @@ pub fn check_writable(path: &Path) -> Result<()> {
     Ok(())
 }
 
-/// Where a file of this name is to appear: behind all links, in a folder that is there.
+/// The path at which a file of this name will appear: behind all links, in a folder that exists.
 fn destination(path: &Path) -> Result<PathBuf> {
     let place = followed(path).map_err(|what| unwritable(path, what))?;
     match fs::metadata(&place) {
@@ -62,7 +63,7 @@ fn destination(path: &Path) -> Result<PathBuf> {
     Ok(place)
 }
 
-/// The end of a chain of links, whether there is something or not.
+/// The end of a chain of links. It need not exist.
 fn followed(path: &Path) -> Result<PathBuf, String> {
     let mut place = path.to_owned();
     for _ in 0..MOST_LINKS {
@@ -81,19 +82,19 @@ fn folder_of(place: &Path) -> &Path {
     }
 }
 
-/// Takes away what killed programs have left: whatever is being written is locked.
+/// Removes files that killed programs have left. A file that is being written is locked.
 fn sweep(folder: &Path) {
     for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
         let is_ours = entry.file_name().to_string_lossy().starts_with(UNFINISHED);
         if is_ours && is_abandoned(&entry) {
-            // What cannot be taken away is in nobody's way.
+            // A file that cannot be removed does no harm.
             let _ = fs::remove_file(entry.path());
         }
     }
 }
 
 fn is_abandoned(entry: &fs::DirEntry) -> bool {
-    // Not followed, and a pipe of that name is not opened.
+    // Links are not followed, and a pipe of that name is not opened.
     let there = entry.metadata();
     let settled = there.is_ok_and(|there| {
         let age = there
@@ -106,17 +107,17 @@ fn is_abandoned(entry: &fs::DirEntry) -> bool {
             .is_ok_and(|file| !matches!(file.try_lock(), Err(TryLockError::WouldBlock)))
 }
 
-/// A file that is not at its place yet. Dropped, it is gone.
+/// A file that is not at its place yet. If it is dropped, the file is removed.
 enum Unfinished {
-    /// One without a name.
+    /// A file without a name.
     #[cfg(target_os = "linux")]
     Nameless(File),
-    /// One with a name of its own, where there are no others.
+    /// A file with a temporary name, where files without names are not supported.
     Named(tempfile::NamedTempFile),
 }
 
 impl Unfinished {
-    /// Locked, as a sign that its program lives. Where there are no locks, nothing is lost but that sign.
+    /// The file is locked, as a sign that its program lives. Where locks are not supported, only this sign is missing.
     fn beside(place: &Path) -> io::Result<Self> {
         let folder = folder_of(place);
         #[cfg(target_os = "linux")]
@@ -128,7 +129,7 @@ impl Unfinished {
         #[cfg(unix)]
         {
             use std::os::unix::fs::PermissionsExt;
-            // A temporary file is private by default; a result is as public as the user's umask lets it.
+            // A temporary file is private by default. A result is as public as the user's umask allows.
             builder.permissions(fs::Permissions::from_mode(0o666));
         }
         let file = builder.prefix(UNFINISHED).tempfile_in(folder)?;
@@ -153,7 +154,7 @@ impl Unfinished {
     }
 }
 
-/// Files without names, until they get one.
+/// Files that have no name until they are whole.
 #[cfg(target_os = "linux")]
 mod nameless {
     use std::fs::{self, File};
@@ -166,20 +167,21 @@ mod nameless {
 
     use super::{UNFINISHED, folder_of};
 
-    /// Names of this process differ by it.
+    /// The number that makes names of this process differ.
     static COUNT: AtomicU32 = AtomicU32::new(0);
 
-    /// As public as the user's umask lets it be.
+    /// As public as the user's umask allows.
     pub(super) fn create(folder: &Path) -> io::Result<File> {
         let flags = OFlags::TMPFILE | OFlags::WRONLY | OFlags::CLOEXEC;
         let file = open(folder, flags, Mode::from_raw_mode(0o666))?;
-        // Whether it can get a name at all is known by /proc, through which it gets it.
+        // The file gets its name through /proc, so it can get one only if /proc has it.
         let file = File::from(file);
         fs::metadata(own_name(&file))?;
         Ok(file)
     }
 
-    /// Gives the file its place. A link cannot replace what is there, so it then gets another name first, and moves.
+    /// Gives the file its place. A new link cannot replace an existing file. In that case the file first gets another
+    /// name, and is then renamed.
     pub(super) fn appear(file: &File, place: &Path) -> io::Result<()> {
         match link(file, place) {
             Err(error) if error.kind() == io::ErrorKind::AlreadyExists => replace(file, place),

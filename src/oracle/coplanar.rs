@@ -1,7 +1,7 @@
-//! Whether two triangles lie in one plane, whatever their corners.
+//! Deciding whether two triangles lie in one plane, whatever their corners are.
 //!
-//! The question is put to the coordinates that were given. In f64 a decimal number, and a corner that a rotation has
-//! moved, are off by a rounding; that much, and no more, is allowed for.
+//! The coordinates as given decide. A decimal number in f64, and a corner that a rotation has moved, are off by
+//! roundings. So much, and no more, is allowed.
 
 use glam::DVec3;
 
@@ -9,10 +9,10 @@ use glam::DVec3;
 /// differences and products here.
 const ROUNDINGS: f64 = 8.0;
 
-/// Whether `a` and `b` lie in one plane, to the rounding of their coordinates.
+/// Whether `a` and `b` lie in one plane, up to the rounding of their coordinates.
 pub(super) fn coplanar(a: [DVec3; 3], b: [DVec3; 3]) -> bool {
     let (a_plane, b_plane) = (Plane::of(a), Plane::of(b));
-    // The larger triangle's plane is known better.
+    // The plane of the larger triangle is known more exactly.
     if a_plane.doubled_area >= b_plane.doubled_area {
         a_plane.holds(b)
     } else {
@@ -22,7 +22,7 @@ pub(super) fn coplanar(a: [DVec3; 3], b: [DVec3; 3]) -> bool {
 
 struct Plane {
     point: DVec3,
-    /// Unit length, or zero for a triangle without area.
+    /// The normal, of unit length, or zero for a triangle without area.
     normal: DVec3,
     doubled_area: f64,
     longest_edge: f64,
@@ -43,8 +43,8 @@ impl Plane {
         }
     }
 
-    /// Whether all points are in the plane. A corner that is off tilts the plane: at a point that lies some heights of the
-    /// triangle away, by as many times as much.
+    /// Whether all points are in the plane. A corner that is off tilts the plane. At a point that is n heights of the
+    /// triangle away, the plane is off by n times as much.
     fn holds(&self, points: [DVec3; 3]) -> bool {
         let height = self.doubled_area / self.longest_edge;
         if height.is_nan() || height <= 0.0 {
@@ -59,7 +59,7 @@ impl Plane {
     }
 }
 
-/// The largest coordinate's size.
+/// The largest absolute value of a coordinate.
 fn largest(corners: [DVec3; 3]) -> f64 {
     let sizes = corners.map(|corner| corner.abs().max_element());
     sizes.into_iter().fold(0.0, f64::max)

@@ -1,22 +1,23 @@
-//! What a depth buffer can tell apart.
+//! The resolution of depth buffers: which distances they can tell apart.
 
 use crate::scene::Camera;
 
-/// A depth buffer between two clip planes: which window-space depth a distance has, and how far a rasteriser's may be off.
+/// A depth buffer between two clip planes: the window-space depth of a distance, and the error of a rasteriser's depth.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DepthBuffer {
     near: f64,
     far: f64,
     /// The larger side of the image in pixels.
     size: f64,
-    /// The distance of neighbouring values; 0 for a float format, whose steps are less than what is lost before.
+    /// The distance of neighbouring values. It is 0 for a float format, whose steps are smaller than the errors before
+    /// them.
     step: f64,
     /// Whether it holds 1/w in 32-bit float instead of window-space depth.
     inverse_w: bool,
 }
 
 impl DepthBuffer {
-    /// Of a 32-bit float format.
+    /// A depth buffer of 32-bit floats.
     pub fn float(camera: &Camera, [width, height]: [u32; 2]) -> Self {
         Self {
             near: camera.near,
@@ -27,14 +28,14 @@ impl DepthBuffer {
         }
     }
 
-    /// Of a format of so many bits for 0 to 1.
+    /// A depth buffer with so many bits for 0 to 1.
     #[must_use]
     pub fn with_bits(self, bits: u32) -> Self {
         let step = 1.0 / (2.0_f64.powi(bits as i32) - 1.0);
         Self { step, ..self }
     }
 
-    /// Of 32-bit floats that hold 1/w, exact to a part of themselves.
+    /// A depth buffer of 32-bit floats that holds 1/w, whose error is relative to its value.
     #[must_use]
     pub fn of_inverse_w(self) -> Self {
         Self {
@@ -43,14 +44,15 @@ impl DepthBuffer {
         }
     }
 
-    /// How far two surfaces across the view direction have to be apart, at a distance from the eye, to be told apart.
+    /// The distance that two surfaces across the view direction must have, at a distance from the eye, to be told
+    /// apart.
     pub fn resolution(&self, distance: f64) -> f64 {
         let inverse = 1.0 / distance;
         2.0 * self.noise(inverse, 0.0) / (self.steepness(inverse) * inverse * inverse)
     }
 
-    /// A depth at 1 / `inverse` from the eye that grows with the distance: window-space depth, or the logarithm of w, of
-    /// which equal steps are equal parts of w.
+    /// A depth at the distance 1 / `inverse` from the eye. It grows with the distance. It is the window-space depth, or
+    /// the logarithm of w, whose equal steps are equal ratios of w.
     pub fn depth(&self, inverse: f64) -> f64 {
         if self.inverse_w {
             return -(self.near * inverse).ln();
@@ -58,7 +60,7 @@ impl DepthBuffer {
         self.far / (self.far - self.near) * (1.0 - self.near * inverse)
     }
 
-    /// How much the depth changes with `inverse`.
+    /// The derivative of the depth with respect to `inverse`.
     fn steepness(&self, inverse: f64) -> f64 {
         if self.inverse_w {
             return 1.0 / inverse;
@@ -66,10 +68,11 @@ impl DepthBuffer {
         self.far * self.near / (self.far - self.near)
     }
 
-    /// How far the depth of a surface may be off at 1 / `inverse` whose 1 / distance changes by `slope` from pixel to pixel.
+    /// The error of a surface's depth at the distance 1 / `inverse`, if its 1 / distance changes by `slope` from pixel
+    /// to pixel.
     ///
-    /// Transform, division and interpolation are some eight roundings of 2^-24, of the depth itself and of places in the
-    /// image, over which the depth changes. The exact image's fragments are held to the same bound.
+    /// Transform, division and interpolation take some eight roundings of 2^-24. They affect the depth itself, and the
+    /// place in the image, over which the depth changes. The same bound applies to the fragments of the exact image.
     pub fn noise(&self, inverse: f64, slope: f64) -> f64 {
         let slope = self.steepness(inverse) * slope;
         8.0 * 2.0_f64.powi(-24) * (1.0 + slope * self.size) + self.step / 2.0
@@ -128,7 +131,7 @@ mod tests {
         let resolutions = buffers.map(|buffer| buffer.resolution(100.0));
         let said = [0.095, 1.9e-6, 9.5e-5];
         for (resolution, said) in resolutions.into_iter().zip(said) {
-            // Two digits are said.
+            // The findings give two digits.
             assert!(
                 (resolution / said - 1.0).abs() < 0.03,
                 "{resolution} {said}"

@@ -1,9 +1,9 @@
 //! The exact colour of one pixel: every triangle that covers it, sorted by where the ray meets it, composited in f64.
 //!
-//! Surfaces that lie in one plane are equally far, whatever their corners; then as everywhere in onionskin what was
-//! submitted first lies in front, and an opaque surface hides what lies exactly on it. Where a ray passes beside two
-//! triangles and meets the same point of an edge of both, geometry does not say which is in front: the driver's depth
-//! does, which is that of the moved corners.
+//! Surfaces in one plane have the same distance, whatever their corners are. Among them, as everywhere in onionskin,
+//! the one submitted first lies in front, and an opaque surface hides what lies exactly on it. A ray may pass beside
+//! two triangles and meet the same point of an edge of both. Then geometry does not say which triangle is in front, and
+//! the driver's depth decides, which is computed from the moved corners.
 
 use std::cmp::Ordering;
 
@@ -17,27 +17,27 @@ use crate::scene::Volume;
 /// A triangle that covers a pixel.
 #[derive(Clone, Copy, Debug)]
 pub struct Covering {
-    /// Its place in the order of submission.
+    /// The triangle's place in the order of submission.
     pub triangle: u32,
     /// The driver's window-space depth.
     pub depth: f32,
-    /// Straight alpha.
+    /// The colour, with straight alpha.
     pub color: Rgba,
 }
 
-/// The same, found on the ray.
+/// A triangle that covers a pixel, with its distance on the ray.
 #[derive(Clone, Copy, Debug)]
 pub struct Located {
-    /// What covers the pixel.
+    /// The triangle that covers the pixel.
     pub covering: Covering,
-    /// Where the ray meets it.
+    /// The point where the ray meets it.
     pub at: Meeting,
-    /// Whether its mesh is opaque.
+    /// Whether the triangle's mesh is opaque.
     pub opaque: bool,
 }
 
-/// Inverse distances that differ by less than this part may belong to one plane: far more than their rounding, so that
-/// no pair is missed. [`coplanar`] decides.
+/// If inverse distances differ by less than this part, the triangles may lie in one plane, and [`coplanar`] decides.
+/// The part is far more than the rounding, so that no pair is missed.
 const NEARLY_EQUAL: f64 = 1e-7;
 
 /// Finds the triangles that cover a pixel on its ray, and sorts them, the nearest first.
@@ -66,13 +66,13 @@ pub fn sorted(surfaces: &Surfaces<'_>, pixel: [u32; 2], covering: &[Covering]) -
     list
 }
 
-/// By distance, then by order of submission.
+/// The order by distance, then by order of submission.
 fn by_place(a: &Located, b: &Located) -> Ordering {
     let nearer = b.at.inverse.total_cmp(&a.at.inverse);
     nearer.then(a.covering.triangle.cmp(&b.covering.triangle))
 }
 
-/// Gives what lies in one plane the same place. Says whether any place has changed.
+/// Gives triangles in one plane the same distance. Returns whether any distance has changed.
 fn join_coplanar(surfaces: &Surfaces<'_>, list: &mut [Located]) -> bool {
     let mut changed = false;
     for first in 0..list.len() {
@@ -96,21 +96,22 @@ fn join_coplanar(surfaces: &Surfaces<'_>, list: &mut [Located]) -> bool {
     changed
 }
 
-/// What is seen of a sorted list: the transparent surfaces before the nearest opaque one, and that one.
+/// The visible part of a sorted list: the transparent surfaces before the nearest opaque one, and the opaque one.
 pub struct Visible<'l> {
-    /// Nearest first.
+    /// The transparent surfaces, nearest first.
     pub transparent: Vec<&'l Located>,
-    /// What hides the rest.
+    /// The opaque surface, which hides the rest.
     pub opaque: Option<&'l Located>,
 }
 
 impl<'l> Visible<'l> {
-    /// Of a list that [`sorted`] made.
+    /// The visible part of a list that [`sorted`] made.
     pub fn of(list: &'l [Located]) -> Self {
         let opaque = list.iter().position(|located| located.opaque);
         let before = &list[..opaque.unwrap_or(list.len())];
         let opaque = opaque.map(|place| &list[place]);
-        // What lies exactly on the opaque surface was submitted before it, or was put first by the driver's depth.
+        // A surface exactly on the opaque surface that comes before it was submitted earlier, or the driver's depth put
+        // it first.
         let hidden = |located: &Located| {
             opaque.is_some_and(|opaque| {
                 let apart = located.at.beside || opaque.at.beside;
@@ -128,7 +129,7 @@ impl<'l> Visible<'l> {
         }
     }
 
-    /// Composites it over a background, with what volumes add in between.
+    /// Composites the surfaces over a background, with the light of volumes between them.
     pub fn composite(&self, background: [f32; 3], ray: &Ray, volumes: &[Volume]) -> [f64; 4] {
         let end = self
             .opaque
@@ -150,8 +151,8 @@ impl<'l> Visible<'l> {
     }
 }
 
-/// Whether the colour of a sorted list hangs on a difference that a depth buffer cannot hold: two neighbours that it may
-/// see in either order, which would change a channel by more than `bound`.
+/// Whether the colour of a sorted list depends on a difference that a depth buffer cannot hold. This is so if the
+/// buffer may see two neighbours in either order, and the exchange would change a channel by more than `bound`.
 ///
 /// Triangles with the same corners in the same order have the same depth in every buffer, and do not count.
 pub fn hangs(surfaces: &Surfaces<'_>, list: &[Located], buffer: &DepthBuffer, bound: f64) -> bool {
@@ -185,12 +186,12 @@ pub fn hangs(surfaces: &Surfaces<'_>, list: &[Located], buffer: &DepthBuffer, bo
     false
 }
 
-/// How much a channel changes where two neighbours change places.
+/// The largest change of a channel if two neighbours are exchanged.
 fn exchanged(near: &Located, far: &Located) -> f64 {
     let (a, b) = (near.covering.color, far.covering.color);
     let apart = [a.r - b.r, a.g - b.g, a.b - b.b];
     let apart = apart.iter().fold(0.0_f32, |most, d| most.max(d.abs()));
-    // An opaque one hides the other; two transparent ones mix.
+    // An opaque surface hides the other one, two transparent surfaces mix.
     let alpha = |located: &Located| match located.opaque {
         true => 1.0,
         false => f64::from(located.covering.color.a),

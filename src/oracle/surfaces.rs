@@ -1,39 +1,40 @@
-//! Where the rays through the pixels' centres meet a scene's triangles, in f64, from the camera and the corners alone.
+//! The points where rays through the pixels' centres meet a scene's triangles, computed in f64 from the camera and the
+//! corners alone.
 //!
-//! A rasteriser's depth is a product of some ten roundings to 32 bits, and a hyperbola of the distance on top of it: two
-//! panes 1 cm apart have the same depth 100 away from a near plane at 0.1. What lies in front must not hang on that, so
-//! the oracle takes from the driver only which triangles cover a pixel, and finds out itself how far away they are.
+//! A rasteriser's depth has some ten roundings to 32 bits, and it is a hyperbola of the distance. With a near plane at
+//! 0.1, two panes 1 cm apart have the same depth at a distance of 100. The order of surfaces must not depend on that.
+//! So the oracle takes from the driver only which triangles cover a pixel, and computes their distances itself.
 //!
-//! Distances are lengths along the view direction, as in [`Ray`](super::volumes::Ray). Their inverses are what is kept:
-//! on a plane 1/distance is linear in the window.
+//! Distances are lengths along the view direction, as in [`Ray`](super::volumes::Ray). Their inverses are stored,
+//! because on a plane 1/distance is linear in the window.
 
 use glam::DVec3;
 
 use crate::scene::{Camera, Mesh, Scene, Vertex};
 
-/// A scene's triangles as they are seen.
+/// A scene's triangles in a view.
 pub struct Surfaces<'s> {
     scene: &'s Scene,
     window: Window,
     triangles: Vec<Triangle>,
-    /// For each mesh the place of its first triangle in the order of submission.
+    /// The place of each mesh's first triangle in the order of submission.
     firsts: Vec<u32>,
 }
 
-/// Where a ray meets a triangle.
+/// The point where a ray meets a triangle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Meeting {
     /// 1 / distance.
     pub inverse: f64,
-    /// How much `inverse` changes from pixel to pixel, along x and y together.
+    /// The change of `inverse` from pixel to pixel, along x and y together.
     pub slope: f64,
-    /// The ray passes beside the triangle: the driver, which snaps corners to a grid, has moved an edge over the pixel's
-    /// centre. `inverse` is that of the nearest point of the triangle's outline.
+    /// Whether the ray passes beside the triangle. This happens if the driver, which snaps corners to a grid, has moved
+    /// an edge over the pixel's centre. `inverse` is then that of the nearest point of the triangle's outline.
     pub beside: bool,
 }
 
 impl<'s> Surfaces<'s> {
-    /// The triangles of all meshes, in the order of submission, seen in an image of `size` pixels.
+    /// The triangles of all meshes, in the order of submission, in an image of `size` pixels.
     pub fn of(scene: &'s Scene, size: [u32; 2]) -> Self {
         let window = Window::of(&scene.camera, size);
         let mut triangles = Vec::with_capacity(scene.triangle_count());
@@ -56,8 +57,8 @@ impl<'s> Surfaces<'s> {
         }
     }
 
-    /// Where the ray through the centre of the pixel in column `x` from the left and row `y` from the bottom meets a
-    /// triangle, which is named by its place in the order of submission and covers the pixel.
+    /// The point where the ray through a pixel's centre meets a triangle that covers the pixel. The pixel is in column
+    /// `x` from the left and row `y` from the bottom. The triangle is given by its place in the order of submission.
     pub fn meeting(&self, [x, y]: [u32; 2], triangle: u32) -> Meeting {
         let triangle = &self.triangles[triangle as usize];
         let at = self.window.toward(x, y);
@@ -80,7 +81,7 @@ impl<'s> Surfaces<'s> {
         }
     }
 
-    /// The mesh of a triangle that is named by its place in the order of submission.
+    /// The mesh of a triangle, which is given by its place in the order of submission.
     pub fn mesh(&self, triangle: u32) -> &'s Mesh {
         &self.scene.meshes[self.mesh_of(triangle)]
     }
@@ -92,18 +93,18 @@ impl<'s> Surfaces<'s> {
     }
 
     fn mesh_of(&self, triangle: u32) -> usize {
-        // Of meshes without triangles, which begin at the same place, the last one has it.
+        // Meshes without triangles begin at the same place as the next mesh. The last of them has the triangle.
         self.firsts.partition_point(|&first| first <= triangle) - 1
     }
 }
 
-/// The camera's axes, and what a pixel's place is in them: on the plane at distance 1, to the right and up.
+/// The camera's axes, and the place of pixels in them: right and up on the plane at distance 1.
 struct Window {
     eye: DVec3,
     right: DVec3,
     up: DVec3,
     forward: DVec3,
-    /// The place of the lower left corner, and the way to the next pixel.
+    /// The place of the lower left corner, and the step to the next pixel.
     corner: [f64; 2],
     step: [f64; 2],
 }
@@ -124,7 +125,7 @@ impl Window {
         }
     }
 
-    /// Right, up and forward of the eye.
+    /// The coordinates of a point: right, up and forward of the eye.
     fn seen(&self, position: DVec3) -> DVec3 {
         let from_eye = position - self.eye;
         DVec3::new(
@@ -146,11 +147,11 @@ impl Window {
 type Corner = [f64; 3];
 
 struct Triangle {
-    /// 1 / distance is the product with (x, y, 1).
+    /// The vector whose product with (x, y, 1) is 1 / distance.
     inverse: [f64; 3],
-    /// Its corners in the window; `None` if one is not before the eye.
+    /// The corners in the window, or `None` if one is not before the eye.
     outline: Option<[Corner; 3]>,
-    /// The smallest and the largest 1 / distance of a corner.
+    /// The least and the greatest 1 / distance of a corner.
     least: f64,
     most: f64,
 }
@@ -159,7 +160,7 @@ impl Triangle {
     fn of(corners: [DVec3; 3]) -> Self {
         let [a, b, c] = corners;
         let normal = (b - a).cross(c - a);
-        // A plane has the points p with n.p = n.a; on the ray t (x, y, 1) that is 1/t = n.(x, y, 1) / n.a.
+        // A plane has the points p with n.p = n.a. On the ray t (x, y, 1) this gives 1/t = n.(x, y, 1) / n.a.
         let [x, y, z] = (normal / normal.dot(a)).to_array();
         let outline = corners.iter().all(|corner| corner.z > 0.0).then(|| {
             corners.map(|corner| [corner.x / corner.z, corner.y / corner.z, 1.0 / corner.z])
@@ -167,7 +168,7 @@ impl Triangle {
         let inverses = corners.map(|corner| 1.0 / corner.z);
         let most = inverses.into_iter().fold(f64::NEG_INFINITY, f64::max);
         let least = inverses.into_iter().fold(f64::INFINITY, f64::min);
-        // Seen exactly edge-on it covers nothing, or what snapping makes of it: its nearest corner will do.
+        // Exactly edge-on, a triangle covers nothing, except what snapping makes of it. Its nearest corner will do.
         let inverse = if x.is_finite() && y.is_finite() && z.is_finite() {
             [x, y, z]
         } else {
@@ -186,10 +187,10 @@ impl Triangle {
     }
 }
 
-/// If a place is outside of the outline, 1 / distance at the outline's nearest point.
+/// The 1 / distance at the outline's nearest point, or `None` if the place is inside of the outline.
 fn beside(outline: &[Corner; 3], at: [f64; 2]) -> Option<f64> {
     let edges = [0, 1, 2].map(|i| directed(outline[i], outline[(i + 1) % 3]));
-    // On which side of each edge it is, whichever way round the corners go.
+    // The side of each edge on which the place is, for either orientation of the corners.
     let sides = [0, 1, 2].map(|i| side(outline[i], outline[(i + 1) % 3], at));
     let inside = sides.iter().all(|&side| side >= 0.0) || sides.iter().all(|&side| side <= 0.0);
     if inside {
@@ -202,8 +203,8 @@ fn beside(outline: &[Corner; 3], at: [f64; 2]) -> Option<f64> {
         .map(|(_, inverse)| inverse)
 }
 
-/// An edge with its corners in an order that does not depend on the triangle, so that two triangles with a common edge
-/// agree on every point of it to the last bit.
+/// An edge. The order of its corners does not depend on the triangle, so that two triangles with a common edge agree on
+/// every point of it to the last bit.
 fn directed(a: Corner, b: Corner) -> [Corner; 2] {
     let order = |corner: Corner| corner.map(f64::to_bits);
     if order(a) <= order(b) { [a, b] } else { [b, a] }
@@ -213,7 +214,7 @@ fn side([ax, ay, _]: Corner, [bx, by, _]: Corner, [x, y]: [f64; 2]) -> f64 {
     (bx - ax) * (y - ay) - (by - ay) * (x - ax)
 }
 
-/// How far, squared, the nearest point of an edge is, and its 1 / distance.
+/// The squared distance of the nearest point of an edge, and the point's 1 / distance.
 fn nearest([[ax, ay, a], [bx, by, b]]: [Corner; 2], [x, y]: [f64; 2]) -> (f64, f64) {
     let (dx, dy) = (bx - ax, by - ay);
     let length = dx * dx + dy * dy;

@@ -1,9 +1,10 @@
-//! The oracle for scenes with volumes: between the sorted surfaces of a pixel the volumes are sampled along its ray.
+//! The oracle for scenes with volumes. Between the sorted surfaces of a pixel, the volumes are sampled along the
+//! pixel's ray.
 //!
-//! What Lindholm et al. 2015, section 6.1, do with a list of fragments is done here in f64 and from the camera alone: a
-//! ray through the pixel's centre, in world space. Each volume has its entry and its exit, where the ray crosses its
-//! proxy box; surfaces, entries and exits cut the ray into segments. In a segment all volumes that it is inside of are
-//! sampled together: their densities add up, their colours are weighted by them.
+//! Lindholm et al. 2015, section 6.1, do this with a list of fragments. Here it is done in f64 and from the camera
+//! alone, with a ray through the pixel's centre in world space. The ray enters and leaves each volume where it crosses
+//! the volume's proxy box. Surfaces, entries and exits cut the ray into segments. In a segment, all volumes around it
+//! are sampled together: their densities add up, and their colours are weighted by the densities.
 
 use glam::DVec3;
 
@@ -13,17 +14,17 @@ use crate::scene::{Camera, Medium, Volume};
 
 /// The ray through a pixel's centre.
 ///
-/// Places on it are *distances*: lengths along the view direction, the near plane at `near`, the far plane at `far`. Its
-/// own length is longer than that towards the image's borders.
+/// Places on the ray are *distances*: lengths along the view direction, with the near plane at `near` and the far plane
+/// at `far`. Towards the image's borders, the ray itself is longer than these.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ray {
     /// The eye, in the world.
     pub origin: DVec3,
-    /// Where the ray gets in a distance of 1; its length is 1 in the image's middle and greater elsewhere.
+    /// The vector along the ray for a distance of 1. Its length is 1 in the image's middle and greater elsewhere.
     pub direction: DVec3,
-    /// Where it begins.
+    /// The distance at which the ray begins.
     pub near: f64,
-    /// Where it ends at the latest.
+    /// The distance at which the ray ends at the latest.
     pub far: f64,
 }
 
@@ -52,14 +53,14 @@ impl Ray {
     }
 }
 
-/// Composites the fragments of one pixel and what the volumes add between them over an opaque background, in f64.
+/// Composites the fragments of one pixel, and the light of volumes between them, over an opaque background, in f64.
 ///
-/// Fragments are sorted, and left out at and behind `opaque_depth`, as by [`composite`](super::composite). The volumes
-/// are seen from the ray's beginning to the distance of `opaque_depth`, wherever the ray enters or leaves them.
+/// Fragments are sorted, and left out at and behind `opaque_depth`, as by [`composite`](super::composite). Volumes are
+/// sampled from the ray's beginning to the distance of `opaque_depth`, even if the ray begins or ends inside of them.
 ///
-/// A segment is sampled in steps of the smallest [`Volume::sampling_distance`] of the volumes that it is inside of; the
-/// last step is cut to the segment's end. Each step takes colour and density from its middle, and its opacity from its
-/// length: 1 - exp(-density x length).
+/// A segment is sampled in steps of the smallest [`Volume::sampling_distance`] of the volumes around it. The last step
+/// ends at the segment's end. The middle of a step gives its colour and density, and its length the opacity, 1 -
+/// exp(-density x length).
 pub fn composite(
     fragments: &mut Vec<Fragment>,
     opaque_depth: f32,
@@ -81,8 +82,8 @@ pub fn composite(
     )
 }
 
-/// The same with surfaces that are sorted, the nearest first, each with its distance, and an opaque background at the
-/// distance `end`.
+/// The same with sorted surfaces, nearest first, each with its distance, and with an opaque background at the distance
+/// `end`.
 pub(super) fn composite_between(
     surfaces: impl Iterator<Item = (f64, Rgba)>,
     end: f64,
@@ -115,16 +116,16 @@ pub(super) fn composite_between(
     [r, g, b, 1.0 - seen.visible]
 }
 
-/// What happens to a ray at some distance.
+/// An event on a ray at some distance.
 #[derive(Clone, Copy)]
 enum Event {
     Surface(Rgba),
-    /// Into the volume of a crossing.
+    /// The ray enters the volume of a crossing.
     Enter(usize),
     Leave(usize),
 }
 
-/// All that happens, nearest first; surfaces of one depth stay in their order.
+/// All events, nearest first. Surfaces of equal depth stay in their order.
 fn events(
     surfaces: impl Iterator<Item = (f64, Rgba)>,
     crossings: &[Crossing],
@@ -142,10 +143,10 @@ fn events(
     events
 }
 
-/// A volume and where a ray is inside of it.
+/// A volume, and the distances between which a ray is inside of it.
 struct Crossing<'v> {
     volume: &'v Volume,
-    /// The ray in the volume's indices.
+    /// The ray, in the volume's indices.
     origin: DVec3,
     direction: DVec3,
     enter: f64,
@@ -153,8 +154,8 @@ struct Crossing<'v> {
 }
 
 impl<'v> Crossing<'v> {
-    /// Where the ray, between its beginning and `end`, is between the planes of all three pairs of faces; nothing if
-    /// nowhere.
+    /// The crossing of a ray, from its beginning to `end`, with a volume: the part between the planes of all three
+    /// pairs of faces. `None` if there is no such part.
     fn of(ray: &Ray, end: f64, volume: &'v Volume) -> Option<Self> {
         let to_index = volume.world_to_index();
         let origin = to_index.transform_point3(ray.origin);
@@ -188,7 +189,7 @@ impl<'v> Crossing<'v> {
     }
 }
 
-/// What has been composited so far, and how much it still lets through.
+/// The light composited so far, and the part of the light behind it that it lets through.
 struct Seen {
     image: [f64; 3],
     visible: f64,
@@ -222,7 +223,7 @@ impl Seen {
         }
     }
 
-    /// Puts a length of several media, mixed, under what there is.
+    /// Puts a length of several mixed media under the light so far.
     fn add(&mut self, length: f64, media: impl Iterator<Item = Medium>) {
         let (mut density, mut color) = (0.0, DVec3::ZERO);
         for medium in media {

@@ -1,8 +1,9 @@
-//! What a difference looks like: the mistakes that are made when pictures are written, each of them tried.
+//! Recognising a difference: the usual mistakes in writing pictures, each of them tried.
 //!
-//! A mistake is a rule that makes a wrong picture of the exact one, pixel by pixel: `image = rule(exact)`. It is tried by
-//! applying it and counting the pixels that it leaves over. Of all rules that explain nearly every pixel that differs, the
-//! one that explains most is said; the plainer one, if they explain as much.
+//! A mistake is a rule that makes a wrong picture from the exact one, pixel by pixel: `image = rule(exact)`. To try a
+//! rule, it is applied to the exact picture, and the pixels that still differ are counted. Among the rules that explain
+//! nearly every differing pixel, the one that explains most is reported. If two explain the same number, the simpler
+//! one is.
 
 mod background;
 mod colors;
@@ -13,37 +14,38 @@ use std::fmt;
 use super::Image;
 use crate::fragment::Rgba;
 
-/// What a difference looks like.
+/// The mistake that a difference looks like.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Resemblance {
-    /// A sentence or two: what is the matter, and what to do.
+    /// A sentence or two: the mistake, and what to do about it.
     pub sentence: String,
-    /// Which part of the pixels that differ it explains, more than [`NEARLY_ALL`] and up to 1.
+    /// The part of the differing pixels that it explains, more than [`NEARLY_ALL`] and at most 1.
     pub explains: f64,
 }
 
-/// A rule must explain at least this part of the differing pixels: at silhouettes other rasterisers may differ, too.
+/// A rule must explain at least this part of the differing pixels. It is less than 1 because other rasterisers may also
+/// differ at silhouettes.
 pub const NEARLY_ALL: f64 = 0.9;
 
-/// Half a step of 8 bits: what rounding adds to a difference that the bound allows.
+/// Half a step of 8 bits, which rounding may add to a difference that the bound allows.
 const ROUNDING: f64 = 0.5 / 255.0;
 
-/// Two pictures of one size, and how far apart pixels of one colour may be.
+/// Two pictures of the same size, and the largest difference at which two pixels have the same colour.
 struct Pair<'a> {
     image: &'a Image,
     exact: &'a Image,
     tolerance: f32,
 }
 
-/// A mistake that has been tried.
+/// A mistake that was tried.
 struct Tried {
-    /// Pixels that differ with it, of those that it says anything about.
+    /// The number of pixels that still differ, among those about which the rule says anything.
     left: usize,
     sentence: String,
 }
 
-/// What the difference between an image and the exact one over `background` (linear RGB) looks like; nothing if no pixel
-/// differs by more than `bound` and rounding, or no mistake that is known here explains nearly all that do.
+/// The mistake that explains the difference between an image and the exact one over `background` (linear RGB). `None`
+/// if no pixel differs by more than `bound` and rounding, or if no known mistake explains nearly all differing pixels.
 ///
 /// # Panics
 /// If the pictures differ in size.
@@ -89,7 +91,7 @@ impl fmt::Display for Resemblance {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.sentence)?;
         if self.explains < 1.0 {
-            // Rounded down, so that it never says all of what is not all.
+            // Rounded down, so that it says 'all' only if it is all.
             let percent = (self.explains * 100.0).floor();
             write!(f, " (This explains {percent} % of the pixels that differ.)")?;
         }
@@ -98,7 +100,7 @@ impl fmt::Display for Resemblance {
 }
 
 impl Pair<'_> {
-    /// How many pixels differ from what a rule makes of the exact ones.
+    /// The number of pixels that differ from the rule applied to the exact ones.
     fn left(&self, rule: impl Fn(&Rgba) -> Rgba) -> usize {
         let pixels = self.image.pixels.iter().zip(&self.exact.pixels);
         pixels
@@ -106,7 +108,7 @@ impl Pair<'_> {
             .count()
     }
 
-    /// Whether two pixels are of one colour. What is not a number is like nothing.
+    /// Whether two pixels have the same colour. A value that is not a number is not the same as any other.
     fn same(&self, a: &Rgba, b: &Rgba) -> bool {
         let near = |a: f32, b: f32| a == b || (a - b).abs() <= self.tolerance;
         near(a.r, b.r) && near(a.g, b.g) && near(a.b, b.b) && near(a.a, b.a)

@@ -2,10 +2,10 @@
 
 use super::{Pair, Tried};
 
-/// How far a picture is looked for, in whole pixels along x and y.
+/// The largest shift that is tried, in whole pixels along x and y.
 const FARTHEST: i32 = 8;
 
-/// In how many rows a shift is looked for.
+/// The number of rows in which a shift is looked for.
 const ROWS: i32 = 256;
 
 pub(super) fn tried(pair: &Pair<'_>) -> Vec<Tried> {
@@ -30,13 +30,13 @@ pub(super) fn tried(pair: &Pair<'_>) -> Vec<Tried> {
     tried
 }
 
-/// How many pixels of the image differ from the exact ones at the places that a rule says; where there are none, nothing
-/// is said.
+/// The number of pixels that differ from the exact pixel at the place that a rule gives. Pixels for which that place is
+/// outside do not count.
 fn left(pair: &Pair<'_>, place: impl Fn(i32, i32) -> [i32; 2]) -> usize {
     among_rows(pair, 1, usize::MAX, place)
 }
 
-/// The same in every so many-th row, given up when there are more than so many.
+/// The same, only in every `step`-th row, and given up when the number exceeds a limit.
 fn among_rows(
     pair: &Pair<'_>,
     every: usize,
@@ -61,9 +61,8 @@ fn among_rows(
     left
 }
 
-/// The shift that leaves the fewest pixels over, the shortest if several do; of a large picture it is looked for in some
-/// rows, and then tried on all. A shift by more than a quarter of the
-/// picture leaves too little to be compared.
+/// The shift after which the fewest pixels differ, or the shortest one of several. In a large picture it is looked for
+/// in some rows, and then tried on all. A shift by more than a quarter of the picture leaves too little to compare.
 fn shifted(pair: &Pair<'_>, [width, height]: [i32; 2]) -> Option<Tried> {
     let [most_x, most_y] = [width, height].map(|side| FARTHEST.min(side / 4));
     let shifts = (-most_y..=most_y).flat_map(|y| (-most_x..=most_x).map(move |x| [x, y]));

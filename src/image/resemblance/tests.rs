@@ -1,5 +1,5 @@
-//! Each mistake is made by code of its own, to pictures of random colours that 8 bits can hold, and must be named; and
-//! none where there is none.
+//! Each mistake is made by separate code, in pictures of random colours that 8 bits can hold, and must be recognised.
+//! Where there is no mistake, none may be reported.
 
 use proptest::prelude::*;
 
@@ -9,7 +9,7 @@ const BACKGROUND: [f32; 3] = [0.2, 0.4, 0.6];
 const BOUND: f64 = 1.0 / 255.0;
 const SIZE: [u32; 2] = [40, 30];
 
-/// A picture with a third of background, without symmetry, the rest of colours that are nowhere grey.
+/// A picture without symmetry. A third of it is background, and the rest has colours that are nowhere grey.
 fn exact(seed: u64) -> Image {
     let mut state = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1;
     let mut unit = move || {
@@ -32,7 +32,7 @@ fn changed(image: &Image, change: impl Fn(Rgba) -> Rgba) -> Image {
     }
 }
 
-/// As an 8-bit file keeps it.
+/// The picture as an 8-bit file keeps it.
 fn in_8_bits(image: &Image) -> Image {
     let round = |v: f32| (v.clamp(0.0, 1.0) * 255.0).round() / 255.0;
     changed(image, |p| {
@@ -40,7 +40,7 @@ fn in_8_bits(image: &Image) -> Image {
     })
 }
 
-/// The pixel of `image` at another place for each place; the background where there is none.
+/// A picture with each pixel taken from another place of `image`, or from the background if that place is outside.
 fn moved(image: &Image, place: impl Fn(i64, i64) -> [i64; 2]) -> Image {
     let [width, height] = [i64::from(image.width), i64::from(image.height)];
     let mut moved = Image::filled(image.width, image.height, Rgba::opaque(BACKGROUND));
@@ -214,7 +214,7 @@ fn premultiplied_against_straight_and_the_other_way() {
     looks_like(&straight, &premultiplied, &["the image is straight"]);
 }
 
-/// Sheets of opacity that varies over a background: the exact image and that over another one, or over none.
+/// Sheets of varying opacity over a background: the exact image, and the same over another background or over none.
 fn sheets(background: Rgba) -> Image {
     let mut image = exact(10);
     for (index, pixel) in image.pixels.iter_mut().enumerate() {
@@ -296,7 +296,7 @@ fn equal_pictures_look_like_nothing() {
 #[test]
 fn what_none_of_the_mistakes_makes_looks_like_nothing() {
     let exact = exact(13);
-    // Another scene altogether, a hole, and a picture that is no number.
+    // Another scene, a hole, and a picture that is not a number.
     assert_eq!(
         resemblance(&super::tests::exact(14), &exact, BOUND, BACKGROUND),
         None
