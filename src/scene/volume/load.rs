@@ -30,14 +30,14 @@ pub(in crate::scene) struct Wish<'a> {
 }
 
 impl Wish<'_> {
-    /// Asks for room for so many samples of these files. To be called before anything is taken for them, by what the
-    /// header says.
+    /// Asks for room for so many samples of these files. A reader calls it after the header was read and before
+    /// anything is allocated.
     pub(super) fn expect_room(&self, samples: usize, files: Stored) -> Result<(), Fault> {
         let bytes = samples as u64 * size_of::<f32>() as u64;
         let room = if gzip::can_hold(files.read, samples as u64) {
             self.memory.take_from_files(bytes, files.distinct)
         } else {
-            // The files are cut off, and whoever reads them says so.
+            // The files are cut off, and their reader reports it.
             self.memory.take(bytes)
         };
         room.map_err(|shortage| shortage.words(format_args!("{samples} samples")))
@@ -49,17 +49,17 @@ impl Wish<'_> {
     }
 }
 
-/// Bytes of the files that samples are in.
+/// The sizes of the files that hold samples, in bytes.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Stored {
-    /// Of all that are read, one after the other.
+    /// The total of all files that are read, one after the other.
     pub(super) read: u64,
-    /// Each file counted once, though it is read several times.
+    /// The total with each file counted once, even if it is read several times.
     pub(super) distinct: u64,
 }
 
 impl Stored {
-    /// Of one file.
+    /// The size of one file.
     pub(super) fn of(bytes: &[u8]) -> Self {
         let bytes = bytes.len() as u64;
         Self {
