@@ -9,7 +9,7 @@ pub(crate) mod changed;
 use super::network;
 use crate::error::{Error, Result};
 
-/// The files of `glsl/`, their names and texts: `build.rs` writes the table.
+/// The files of `glsl/`, their names and texts: `glsl/build.rs` writes the table.
 const FILES: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/shaders.rs"));
 
 /// Not a file: the comparators that sort as many elements as the constant N says, or DEEPEST if that is less, if they are not

@@ -4,8 +4,8 @@ use plotters::coord::Shift;
 use plotters::prelude::*;
 
 use super::Plot;
-use super::histogram::{FAMILY, register_the_font};
-use super::series::in_pixels;
+use super::canvas::{FAMILY, in_pixels, register_the_font};
+
 use crate::error::{Error, Result};
 
 /// What a vertical axis measures.

@@ -1,12 +1,11 @@
 //! The depth complexity histogram as a plot, pixels on a logarithmic axis (Lindholm et al. 2015, figure 1e).
 
 use std::path::Path;
-use std::sync::Once;
 
 use plotters::coord::Shift;
 use plotters::prelude::*;
-use plotters::style::{FontStyle, register_font};
 
+use super::canvas::{FAMILY, in_pixels, register_the_font};
 use super::save_text;
 use crate::error::{Error, Result};
 use crate::image::Image;
@@ -50,7 +49,6 @@ pub enum Plot {
 
 const SIZE: (u32, u32) = (900, 560);
 const BAR: RGBColor = RGBColor(0x2B, 0x5C, 0x8A);
-pub(super) const FAMILY: &str = "sans-serif";
 
 /// Plots the histogram with bins of `bin` complexities. Pixels without a fragment are left out; the caption says how many
 /// there are.
@@ -83,22 +81,9 @@ pub fn plot(name: &str, complexity: &Complexity, bin: u32, kind: PlotKind) -> Re
                 &caption,
                 &bins,
             )?;
-            Ok(Plot::Png(super::series::in_pixels(SIZE, &bytes)))
+            Ok(Plot::Png(in_pixels(SIZE, &bytes)))
         }
     }
-}
-
-/// Makes [`FAMILY`] known to the plotting library.
-pub(super) fn register_the_font() {
-    static FONT: Once = Once::new();
-    FONT.call_once(|| {
-        // Bundled, so that a plot is the same on every machine; it is a font that can be read, so the answer is Ok.
-        let _ = register_font(
-            FAMILY,
-            FontStyle::Normal,
-            epaint_default_fonts::UBUNTU_LIGHT,
-        );
-    });
 }
 
 impl Plot {

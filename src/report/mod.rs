@@ -1,6 +1,7 @@
 //! What goes onto paper: pictures, plots, tables.
 
 mod bars;
+mod canvas;
 mod complexity;
 mod convergence;
 mod histogram;

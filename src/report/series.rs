@@ -5,11 +5,9 @@ use std::path::Path;
 use plotters::coord::Shift;
 use plotters::prelude::*;
 
-use super::histogram::{FAMILY, register_the_font};
+use super::canvas::{FAMILY, in_pixels, register_the_font};
 use super::{Plot, save_text};
 use crate::error::{Error, Result};
-use crate::fragment::Rgba;
-use crate::image::Image;
 use crate::methods::Complexity;
 
 /// One of the frames that a series shows.
@@ -79,16 +77,6 @@ pub fn series(caption: &str, names: &[&str], moments: &[Moment]) -> Result<[Plot
     let backend = BitMapBackend::with_buffer(&mut bytes, SIZE);
     draw(backend.into_drawing_area(), caption, names, moments)?;
     Ok([Plot::Svg(text), Plot::Png(in_pixels(SIZE, &bytes))])
-}
-
-/// What a plotting library's bytes, three a pixel, show.
-pub(super) fn in_pixels((width, height): (u32, u32), bytes: &[u8]) -> Image {
-    let pixel = |rgb: &[u8]| Rgba::opaque([0, 1, 2].map(|n| f32::from(rgb[n]) / 255.0));
-    Image {
-        width,
-        height,
-        pixels: bytes.chunks_exact(3).map(pixel).collect(),
-    }
 }
 
 /// Its numbers as CSV: a line of names, then a line for each moment.

@@ -1,14 +1,13 @@
 //! A scene in time: a camera path, and which meshes and volumes are shown in which frames.
 
 use std::ops::Range;
-use std::path::Path;
 
 use bytemuck::cast_slice;
 use flate2::Crc;
 
+use super::contents::{Scene, joined};
 use super::fit::PartialCamera;
 use super::path::CameraPath;
-use super::{LoadOptions, Scene, file, joined};
 use crate::error::{Error, Result};
 
 /// A scene and its camera path. Every frame is a function of its number.
@@ -64,44 +63,6 @@ impl Shows {
 }
 
 impl Animation {
-    /// Reads a scene file with its `[path]`. A scene file or a model without a path turns once, as in
-    /// [`CameraPath::default`].
-    ///
-    /// # Errors
-    /// As [`Scene::load`].
-    pub fn load(path: impl AsRef<Path>) -> Result<Self> {
-        Self::load_at(path, None)
-    }
-
-    /// Reads the same, for images of another size than the file asks for.
-    ///
-    /// # Errors
-    /// As [`Scene::load`].
-    pub fn load_at(path: impl AsRef<Path>, size: Option<[u32; 2]>) -> Result<Self> {
-        Self::load_with(path, &size.into())
-    }
-
-    /// Reads the same with options.
-    ///
-    /// # Errors
-    /// As [`Scene::load_with`].
-    pub fn load_with(path: impl AsRef<Path>, options: &LoadOptions) -> Result<Self> {
-        let path = path.as_ref();
-        if path
-            .extension()
-            .is_some_and(|ending| ending.eq_ignore_ascii_case("toml"))
-        {
-            return file::load(path, options);
-        }
-        Ok(Self {
-            scene: Scene::load_with(path, options)?,
-            path: CameraPath::default(),
-            has_path: false,
-            wish: PartialCamera::default(),
-            shows: Shows::default(),
-        })
-    }
-
     /// The scene of one frame.
     ///
     /// # Errors

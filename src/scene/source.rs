@@ -31,6 +31,11 @@ pub(super) fn read_bytes(path: &Path, memory: &MemoryLimit) -> Result<Vec<u8>> {
     read().map_err(|error| unreadable(path, &error))
 }
 
+pub(super) fn stem(path: &Path) -> String {
+    let stem = path.file_stem().unwrap_or_default();
+    stem.to_string_lossy().into_owned()
+}
+
 fn expect_readable(path: &Path, memory: &MemoryLimit) -> Result<()> {
     let metadata = fs::metadata(path).map_err(|error| unreadable(path, &error))?;
     if metadata.is_dir() {

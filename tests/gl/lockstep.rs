@@ -267,7 +267,9 @@ fn one_fragment_off_by_its_last_bit_would_be_noticed() {
         compared: 0,
     };
     let run = std::panic::AssertUnwindSafe(|| Loop::A.run(&mut both, &Loop::A.amendments(), 9.0));
-    assert!(std::panic::catch_unwind(run).is_err());
+    let panic = std::panic::catch_unwind(run).expect_err("it is noticed");
+    let said = panic.downcast_ref::<String>().expect("words");
+    assert!(said.contains("OpenGL has depth"), "{said}");
 }
 
 #[test]
@@ -335,6 +337,7 @@ fn stencil_operations_agree_one_by_one() {
         .unwrap();
         both.perform(&Call::EndQuery { query: COUNTED }).unwrap();
         both.samples(COUNTED).unwrap();
+        assert_eq!(both.compared, pixels.len(), "one draw, compared everywhere");
     }
 }
 

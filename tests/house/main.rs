@@ -1,4 +1,6 @@
 //! The house itself: its floors, and what the README and the findings say of it.
 
+mod circles;
 mod floors;
+mod imports;
 mod readme;

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::{Pair, Tried};
+use super::pair::{Pair, Tried};
 use crate::fragment::Rgba;
 
 pub(super) fn tried(pair: &Pair<'_>, background: [f32; 3]) -> Vec<Tried> {

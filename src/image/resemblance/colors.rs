@@ -1,7 +1,7 @@
 //! Mistakes that change each pixel's colour by itself.
 
 use super::super::file::srgb;
-use super::{Pair, Tried};
+use super::pair::{Pair, Tried};
 use crate::fragment::Rgba;
 
 pub(super) fn tried(pair: &Pair<'_>) -> Vec<Tried> {

@@ -7,12 +7,13 @@
 
 mod background;
 mod colors;
+mod pair;
 mod places;
 
 use std::fmt;
 
 use super::Image;
-use crate::fragment::Rgba;
+use pair::{Pair, Tried};
 
 /// The mistake that a difference looks like.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,20 +30,6 @@ pub const NEARLY_ALL: f64 = 0.9;
 
 /// Half a step of 8 bits, which rounding may add to a difference that the bound allows.
 const ROUNDING: f64 = 0.5 / 255.0;
-
-/// Two pictures of the same size, and the largest difference at which two pixels have the same colour.
-struct Pair<'a> {
-    image: &'a Image,
-    exact: &'a Image,
-    tolerance: f32,
-}
-
-/// A mistake that was tried.
-struct Tried {
-    /// The number of pixels that still differ, among those about which the rule says anything.
-    left: usize,
-    sentence: String,
-}
 
 /// The mistake that explains the difference between an image and the exact one over `background` (linear RGB). `None`
 /// if no pixel differs by more than `bound` and rounding, or if no known mistake explains nearly all differing pixels.
@@ -96,31 +83,6 @@ impl fmt::Display for Resemblance {
             write!(f, " (This explains {percent} % of the pixels that differ.)")?;
         }
         Ok(())
-    }
-}
-
-impl Pair<'_> {
-    /// The number of pixels that differ from the rule applied to the exact ones.
-    fn left(&self, rule: impl Fn(&Rgba) -> Rgba) -> usize {
-        let pixels = self.image.pixels.iter().zip(&self.exact.pixels);
-        pixels
-            .filter(|(image, exact)| !self.same(image, &rule(exact)))
-            .count()
-    }
-
-    /// Whether two pixels have the same colour. A value that is not a number is not the same as any other.
-    fn same(&self, a: &Rgba, b: &Rgba) -> bool {
-        let near = |a: f32, b: f32| a == b || (a - b).abs() <= self.tolerance;
-        near(a.r, b.r) && near(a.g, b.g) && near(a.b, b.b) && near(a.a, b.a)
-    }
-}
-
-impl Tried {
-    fn new(left: usize, sentence: impl Into<String>) -> Self {
-        Self {
-            left,
-            sentence: sentence.into(),
-        }
     }
 }
 

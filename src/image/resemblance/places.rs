@@ -1,6 +1,6 @@
 //! Mistakes that put pixels elsewhere.
 
-use super::{Pair, Tried};
+use super::pair::{Pair, Tried};
 
 /// The largest shift that is tried, in whole pixels along x and y.
 const FARTHEST: i32 = 8;

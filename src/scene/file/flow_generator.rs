@@ -1,8 +1,8 @@
 //! `generate = "streamlines"` and `"arrows"`, which show a flow.
 
-use super::generator::seed;
 use super::keys::Keys;
 use super::limits::ANY;
+use super::seed::seed;
 use crate::error::Result;
 use crate::scene::generate::{Arrows, Flow, Generator, Seeds, Streamlines, Swirl};
 

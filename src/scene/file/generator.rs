@@ -4,7 +4,7 @@ use super::flow_generator::{ARROWS, STREAMLINES, arrows, streamlines};
 use super::isosurface;
 use super::keys::Keys;
 use super::limits::ANY;
-use super::mesh::COMMON;
+use super::seed::seed;
 use super::volume::NamedVolume;
 use crate::error::Result;
 use crate::scene::generate::{
@@ -56,13 +56,17 @@ const GENERATORS: [(&str, &[&[&str]], Reader); 9] = [
 
 /// The generator of a mesh, with its keys and parameters checked. An isosurface is generated from one of the file's
 /// volumes.
-pub(super) fn read<'v>(keys: &Keys, volumes: &'v [NamedVolume]) -> Result<Box<dyn Generator + 'v>> {
+pub(super) fn read<'v>(
+    keys: &Keys,
+    common: &[&'static str],
+    volumes: &'v [NamedVolume],
+) -> Result<Box<dyn Generator + 'v>> {
     let own = GENERATORS.iter().map(|entry| (entry.0, Some(entry)));
     let choices: Vec<_> = own.chain([(ISOSURFACE, None)]).collect();
     let Some(choice) = keys.choice("generate", &choices)? else {
         unreachable!("called for meshes with this key only")
     };
-    let known = |own: &[&[&'static str]]| [&["generate"], &own.concat()[..], &COMMON].concat();
+    let known = |own: &[&[&'static str]]| [&["generate"], &own.concat()[..], common].concat();
     let generator: Box<dyn Generator + 'v> = match choice {
         Some((_, parameters, reader)) => {
             keys.expect_only(&known(parameters))?;
@@ -171,10 +175,4 @@ fn soup(keys: &Keys) -> Result<Box<dyn Generator>> {
         alpha: keys.pair32("alpha", &ANY)?.unwrap_or(default.alpha),
         seed: seed(keys)?,
     }))
-}
-
-/// TOML's whole numbers are signed and have 64 bits.
-pub(super) fn seed(keys: &Keys) -> Result<u64> {
-    let seed = keys.integer("seed", &(0..=i64::MAX as u64))?;
-    Ok(seed.unwrap_or(0))
 }

@@ -22,7 +22,7 @@ pub(super) struct Loaded {
 }
 
 /// The keys of every mesh, from a file or from a generator.
-pub(super) const COMMON: [&str; 5] = ["name", "shading", "inside", "sorted", "transform"];
+const COMMON: [&str; 5] = ["name", "shading", "inside", "sorted", "transform"];
 /// The keys that say where a mesh comes from, and the keys of a model.
 const OWN: [&str; 4] = ["file", "generate", "color", "opacity"];
 
@@ -91,7 +91,7 @@ fn generate(
     generated: &mut u64,
     loaded: &mut Loaded,
 ) -> Result<()> {
-    let generator = generator::read(keys, volumes)?;
+    let generator = generator::read(keys, &COMMON, volumes)?;
     *generated += generator.triangle_count();
     if *generated > MAX_TRIANGLES {
         let what = format!(

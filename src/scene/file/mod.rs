@@ -65,6 +65,7 @@ mod limits;
 mod mesh;
 mod path;
 mod place;
+mod seed;
 mod sources;
 mod transform;
 mod value;
@@ -75,7 +76,11 @@ use std::path::Path;
 
 use toml::de::DeTable;
 
-use super::{Animation, LoadOptions, Scene, Volume, joined, source, stem};
+use super::animation::Animation;
+use super::contents::{Scene, joined};
+use super::options::LoadOptions;
+use super::source::{self, stem};
+use super::volume::Volume;
 use crate::error::{Error, Place, Result};
 use crate::memory::MemoryLimit;
 use keys::Keys;

@@ -2,10 +2,17 @@
 
 use glam::{DVec3, Vec3};
 
-use super::Paint;
 use crate::fragment::Rgba;
 use crate::scene::mesh::{Mesh, Vertex};
 use crate::scene::normals;
+
+/// The look that a scene file gives to a model. It takes precedence over materials, and vertex colours take precedence
+/// over it.
+#[derive(Clone, Copy, Debug, Default)]
+pub(in crate::scene) struct Paint {
+    pub(in crate::scene) color: Option<[f32; 3]>,
+    pub(in crate::scene) opacity: Option<f32>,
+}
 
 /// The colour of meshes without a colour of their own.
 const DEFAULT_COLOR: [f32; 3] = [1.0, 1.0, 1.0];

@@ -32,17 +32,10 @@ use super::source;
 use crate::error::{Error, Place, Result};
 use crate::memory::MemoryLimit;
 use assemble::Legend;
+pub(super) use assemble::Paint;
 use faces::Faces;
 use notes::{Note, Notes, counted};
 use vertices::Vertices;
-
-/// The look that a scene file gives to a model. It takes precedence over materials, and vertex colours take precedence
-/// over it.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Paint {
-    pub(super) color: Option<[f32; 3]>,
-    pub(super) opacity: Option<f32>,
-}
 
 /// A model, and the notes about it.
 pub(super) struct Model {

@@ -2,7 +2,15 @@
 
 use glam::DAffine3;
 
-use super::{LARGEST, MAX_SAMPLES};
+/// The most samples of a volume: 512 Mi, which take 2 GiB.
+pub const MAX_SAMPLES: u64 = 512 << 20;
+
+/// The largest absolute value of a sample. Larger values have no use, and their differences would exceed the 32-bit
+/// numbers of shaders.
+pub(super) const LARGEST: f32 = 1e38;
+
+/// The value of an empty sample.
+pub(super) const EMPTY: f32 = f32::NAN;
 
 /// A fault: what is wrong, and what to do.
 pub(super) type Fault = (String, &'static str);

@@ -1,6 +1,6 @@
 //! Samples that are not numbers. Simulations, masks and resampled images write NaN where there is nothing.
 
-use super::{EMPTY, LARGEST};
+use super::check::{EMPTY, LARGEST};
 
 /// The meaning of a sample that is NaN or infinite.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

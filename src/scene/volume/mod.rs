@@ -16,6 +16,7 @@ mod load;
 mod missing;
 mod nifti;
 mod nrrd;
+mod reading;
 mod samples;
 mod space;
 mod transfer;
@@ -23,8 +24,10 @@ mod vti;
 
 use glam::{DAffine3, DVec3};
 
-pub(super) use load::{Wish, load};
+pub use check::MAX_SAMPLES;
+pub(super) use load::load;
 pub(super) use missing::Missing;
+pub(super) use reading::Wish;
 pub(super) use transfer::fault;
 pub use transfer::{Medium, Transfer, TransferPoint};
 
@@ -47,16 +50,6 @@ pub struct Volume {
     index_to_world: DAffine3,
     world_to_index: DAffine3,
 }
-
-/// The most samples of a volume: 512 Mi, which take 2 GiB.
-pub const MAX_SAMPLES: u64 = 512 << 20;
-
-/// The largest absolute value of a sample. Larger values have no use, and their differences would exceed the 32-bit
-/// numbers of shaders.
-const LARGEST: f32 = 1e38;
-
-/// The value of an empty sample.
-const EMPTY: f32 = f32::NAN;
 
 impl Volume {
     /// The default sampling distance, in voxels.

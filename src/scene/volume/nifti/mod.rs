@@ -13,7 +13,7 @@ use glam::{DAffine3, DMat3, DQuat, DVec3};
 
 use super::check;
 use super::gzip;
-use super::load::{Loaded, Parts, Stored, Wish};
+use super::reading::{Loaded, Parts, Stored, Wish};
 use super::samples::{Layout, SampleType, make_room, nearest};
 use crate::error::{Error, Place, Result};
 use header::Header;

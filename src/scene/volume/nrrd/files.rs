@@ -7,7 +7,7 @@ use super::axes::Axes;
 use super::header::Header;
 use crate::error::Result;
 use crate::scene::MAX_BYTES;
-use crate::scene::volume::load::{Stored, beside};
+use crate::scene::volume::reading::{Stored, beside};
 
 /// The files. Each holds the same number of samples.
 pub(super) enum Files<'h> {

@@ -14,7 +14,7 @@ mod types;
 
 use std::path::Path;
 
-use super::load::{Loaded, Parts, Wish};
+use super::reading::{Loaded, Parts, Wish};
 use super::samples::{Endian, Layout, SampleType, make_room};
 use crate::error::Result;
 use axes::Axes;

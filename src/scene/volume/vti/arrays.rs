@@ -5,7 +5,7 @@ use roxmltree::Node;
 use super::block::Kind;
 use super::document::Document;
 use crate::error::Result;
-use crate::scene::volume::load::Wish;
+use crate::scene::volume::reading::Wish;
 
 /// The chosen array, as it is found in every piece.
 #[derive(Clone, Debug, PartialEq, Eq)]

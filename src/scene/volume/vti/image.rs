@@ -7,7 +7,7 @@ use super::block::{Block, Kind};
 use super::document::Document;
 use crate::error::Result;
 use crate::scene::volume::check;
-use crate::scene::volume::load::{Stored, Wish};
+use crate::scene::volume::reading::{Stored, Wish};
 
 /// First and last index of the points along x, y and z.
 pub(super) type Extent = [i64; 6];

@@ -20,7 +20,7 @@ use std::path::Path;
 use roxmltree::Node;
 
 use super::check;
-use super::load::{Loaded, Parts, Stored, Wish, beside};
+use super::reading::{Loaded, Parts, Stored, Wish, beside};
 use crate::error::Result;
 use arrays::{Choice, children};
 use assembly::Assembly;

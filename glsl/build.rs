@@ -1,4 +1,4 @@
-//! Writes the table of the shaders: every file of `glsl/` with its text. So a new shader is a new file, and nothing else.
+//! Writes the table of the shaders: every file of `glsl/` with its text, but this one. So a new shader is a new file, and nothing else.
 //!
 //! A build script rather than a crate such as `include_dir`, because it is as short as the use of one would be, and
 //! because Cargo watches a folder for a build script, but not for a macro: a file that comes or goes would not be noticed.
@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::{env, fs, io};
 
 fn main() -> io::Result<()> {
-    println!("cargo::rerun-if-changed=build.rs");
+    println!("cargo::rerun-if-changed=glsl/build.rs");
     println!("cargo::rerun-if-changed=glsl");
     let folder = PathBuf::from(env::var("CARGO_MANIFEST_DIR").expect("Cargo sets it")).join("glsl");
     let mut files = files_in(&folder)?;
@@ -32,7 +32,7 @@ fn files_in(folder: &Path) -> io::Result<Vec<PathBuf>> {
         let path = entry?.path();
         if path.is_dir() {
             files.extend(files_in(&path)?);
-        } else {
+        } else if path.extension().is_none_or(|ending| ending != "rs") {
             files.push(path);
         }
     }
