@@ -4,6 +4,7 @@
 use proptest::prelude::*;
 
 use super::*;
+use crate::fragment::Rgba;
 
 const BACKGROUND: [f32; 3] = [0.2, 0.4, 0.6];
 const BOUND: f64 = 1.0 / 255.0;
