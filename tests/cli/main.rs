@@ -6,5 +6,6 @@ mod kit;
 mod bad_input;
 mod help;
 mod hostile;
+mod hostile_options;
 mod terminal;
 mod without_opengl;
