@@ -1,6 +1,7 @@
 //! A-buffers against the oracle: every memory manager, every way to fill, sort and resolve, on random fragment stacks with
 //! ties, on soups and on models; complexities around every limit.
 
+use crate::kit::bounds::F32;
 use crate::kit::stack;
 use onionskin::gl::Format;
 use onionskin::image::Comparison;

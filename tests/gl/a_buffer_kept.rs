@@ -1,6 +1,7 @@
 //! Which fragments a pixel keeps that has more of them than its static array has room for, named one by one: by every
 //! memory manager and fill, on OpenGL and on the emulator's lists.
 
+use crate::kit::bounds::F32;
 use crate::kit::stack;
 use std::cell::RefCell;
 
@@ -14,7 +15,7 @@ use onionskin::papers::lindholm_2015::components::{
 use onionskin::{Context, Method, Renderer};
 use proptest::test_runner::{TestCaseError, TestError};
 
-use crate::kit::a_buffer::{F16, F32, MANAGERS, small};
+use crate::kit::a_buffer::{F16, MANAGERS, small};
 use crate::kit::fog_scenes::fog_and_pane;
 use crate::kit::stack::{Piece, Stack, fragments, runner, scattered, stacks};
 

@@ -1,7 +1,8 @@
 //! What Carr, Měch and Miller (2008) claim, on OpenGL: images, iterations and geometry passes of their methods on whole
 //! scenes. The claims about single pixels are in `papers/emulator_*.rs`; `gl/lockstep.rs` shows that both are one machine.
 
-use crate::kit::carr_scenes::{F32, HYBRID, LAYERS, error, example, ideal, render};
+use crate::kit::bounds::F32;
+use crate::kit::carr_scenes::{HYBRID, LAYERS, error, example, ideal, render};
 use crate::kit::stack;
 use onionskin::image::Comparison;
 use onionskin::methods::{CoherentOptions, Sorting, Variant};

@@ -1,7 +1,8 @@
 //! What Carr, Měch and Miller (2008) say of the ideal GPU, and what options and the text as printed make of their methods,
 //! on OpenGL.
 
-use crate::kit::carr_scenes::{F32, LAYERS, error, example, ideal, render};
+use crate::kit::bounds::F32;
+use crate::kit::carr_scenes::{LAYERS, error, example, ideal, render};
 use crate::kit::stack;
 use onionskin::methods::{BufferAccess, CoherentOptions, IdealOptions, Sorting, Variant};
 use onionskin::papers::carr_2008::{AT_BOUND, AT_BOUND_AS_PRINTED};

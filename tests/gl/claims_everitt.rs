@@ -3,9 +3,10 @@
 //! errors in numbers in `gl/accumulation.rs`; E08 and what E04 says of the OpenGL of 2001 in `gl/classic_*.rs`; E06, E07
 //! and E09 in `gl/invariance.rs`; E11 in `gl/cross_section.rs`.
 
+use crate::kit::bounds::F32;
 use crate::kit::everitt_scenes::{
-    F32, VISIBLE, check_stacks, disagreements, example, keeping, near, nearest, peel, render,
-    samples, soup_scene,
+    VISIBLE, check_stacks, disagreements, example, keeping, near, nearest, peel, render, samples,
+    soup_scene,
 };
 use crate::kit::lists::Lists;
 use crate::kit::stack;

@@ -1,7 +1,8 @@
 //! What Everitt 2001 claims of compositing layers and of leaving some out (E12, E13), each claim under its key.
 
+use crate::kit::bounds::F32;
 use crate::kit::everitt_scenes::{
-    F32, VISIBLE, check_stacks, example, keeping, limited, peel, piece, render, soup_scene,
+    VISIBLE, check_stacks, example, keeping, limited, peel, piece, render, soup_scene,
 };
 use crate::kit::lists::Lists;
 use crate::kit::stack;

@@ -1,6 +1,7 @@
 //! The claims of Lindholm et al. 2015 about the Resolve Step, L09 to L15 and L18, each under its key, and what happens
 //! when ppAO and ppDP are run as printed.
 
+use crate::kit::bounds::F32;
 use onionskin::image::Comparison;
 use onionskin::methods::{ABufferOptions, CountBy};
 use onionskin::scene::generate::Order;

@@ -1,6 +1,7 @@
 //! Everitt's Listing 2: as text, in f64 against his equations 1 to 4, and running; and depth peeling as he ran it in
 //! 2001, which leans on it.
 
+use crate::kit::bounds::F32;
 use glam::{DMat4, DVec3, DVec4};
 use onionskin::fragment::Rgba;
 use onionskin::gl::{CapturedFragment, ClassicState, Format, Geometry, GlMachine};
@@ -337,7 +338,6 @@ fn render(context: &Context, scene: &Scene, method: &Method) -> Frame {
 
 /// Pixels that are off by more than the f32 bound of every exact method.
 fn wrong_pixels(frame: &Frame, exact: &Frame) -> Vec<usize> {
-    const F32: f64 = 1e-5;
     let all = Comparison::new(&frame.image, &exact.image, F32).unwrap();
     let pairs = frame.image.pixels.iter().zip(&exact.image.pixels);
     let off = |(a, b): (&Rgba, &Rgba)| {

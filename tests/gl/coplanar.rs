@@ -1,5 +1,6 @@
 //! Coplanar surfaces: which methods have all of them, in which order, and the detector that tells.
 
+use crate::kit::bounds::F32;
 use crate::kit::stack;
 use onionskin::gl::Format;
 use onionskin::image::Comparison;
@@ -13,10 +14,6 @@ use onionskin::{Context, Method, Renderer, Scene, steps};
 use proptest::test_runner::{TestCaseError, TestError};
 
 use crate::kit::stack::{Piece, Stack, fragments, runner, stacks};
-
-/// f32 colours composited in at most 64 roundings of 2^-24 each, and the oracle's own rounding to f32: 4e-6. The issue
-/// that asked for exactness allows 1e-5.
-const F32: f64 = 1e-5;
 
 const COPLANAR: Method = Method::CoplanarDepthPeeling(CoplanarDepthPeelingOptions {
     maximum_number_of_peels: 0,

@@ -1,5 +1,6 @@
 //! Dual depth peeling against the oracle, its number of passes, and every way to stop.
 
+use crate::kit::bounds::F32;
 use crate::kit::stack;
 use onionskin::gl::Format;
 use onionskin::image::Comparison;
@@ -11,10 +12,6 @@ use proptest::test_runner::{TestCaseError, TestError};
 
 use crate::kit::changed::changed;
 use crate::kit::stack::{Piece, Stack, fragments, runner, stacks};
-
-/// f32 colours composited in at most 64 roundings of 2^-24 each, and the oracle's own rounding to f32: 4e-6. The issue
-/// that asked for exactness allows 1e-5.
-const F32: f64 = 1e-5;
 
 #[test]
 fn random_stacks_with_and_without_ties_equal_the_oracle() {

@@ -1,7 +1,8 @@
 //! The exact image's fragments against geometry done by hand, in one piece and in several.
 
+use crate::kit::bounds::F32;
 use crate::kit::cast::{Cast, cast};
-use crate::kit::exact_scenes::{F32, depth_bound, looking_down_z, soup_scene};
+use crate::kit::exact_scenes::{depth_bound, looking_down_z, soup_scene};
 use crate::kit::lists::{Lists, captured, sorted};
 use onionskin::fragment::Rgba;
 use onionskin::gl::CapturedFragment;

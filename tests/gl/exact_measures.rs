@@ -1,7 +1,8 @@
 //! What is measured by the exact image's fragments: the ties that peeling loses, the painter, and coarser formats.
 
+use crate::kit::bounds::F32;
 use crate::kit::cast;
-use crate::kit::exact_scenes::{F32, depth_bound, error, looking_down_z, render, soup_scene};
+use crate::kit::exact_scenes::{depth_bound, error, looking_down_z, render, soup_scene};
 use crate::kit::lists::{Lists, captured, sorted, ties};
 use glam::{DVec3, Vec3};
 use onionskin::fragment::Rgba;

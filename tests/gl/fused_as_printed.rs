@@ -1,6 +1,7 @@
 //! ppAO and ppDP as printed, on scenes with volumes: what errata L1, L4, L5 and L7 cost where the lists hold the faces of
 //! boxes, too. A face that is lost is a toggle that is lost, so that a ray sees a volume where there is none.
 
+use crate::kit::bounds::distance;
 use onionskin::image::Image;
 use onionskin::methods::{ABufferOptions, Frame, Manager, RecordColor, Sort};
 use onionskin::oracle::volumes::Ray;
@@ -12,8 +13,8 @@ use onionskin::{Context, Method, Scene};
 use crate::kit::emulated::{Pixels, counts, render};
 use crate::kit::fog_scenes::fog_and_pane;
 
-/// Depths are f32: see `gl/volumes.rs`.
-const BOUND: f64 = 1e-5;
+/// As in `gl/volumes.rs`.
+const BOUND: f64 = 4.0 * distance(0.5);
 const SIGMA: f64 = 0.7_f32 as f64;
 const AS_PRINTED: ABufferOptions = ABufferOptions {
     manager: Manager::Dfb,

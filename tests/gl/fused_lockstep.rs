@@ -1,6 +1,7 @@
 //! Fused rendering twice: section 6.1 and ppDP line by line on the emulated pixel, and the shaders on OpenGL. The same
 //! light from the same lists, in as many subpasses, by as many records.
 
+use crate::kit::bounds::distance;
 use crate::kit::stack;
 use std::cell::Cell;
 
@@ -16,8 +17,8 @@ use crate::kit::emulated::{Pixels, apart, counts, on_gl};
 use crate::kit::fog_plans::plans;
 use crate::kit::fog_scenes::fog_and_pane;
 
-/// Depths are f32: see `gl/volumes.rs`.
-const BOUND: f64 = 1e-5;
+/// As in `gl/volumes.rs`.
+const BOUND: f64 = 4.0 * distance(0.5);
 
 /// Panes in, before and behind overlapping volumes, the eye in one, in two or in none of them: every ray meets the same.
 fn whole_scenes() -> Vec<Scene> {

@@ -1,5 +1,6 @@
 //! The invariance experiment (E06, E07) and the precision study (E09).
 
+use crate::kit::bounds::F32;
 use std::collections::HashSet;
 
 use onionskin::gl::Format;
@@ -278,12 +279,12 @@ fn e06_the_detector_and_the_exact_image_agree_on_what_is_right() {
     let off = Comparison::pixels(&finding.image, &study.exact).unwrap();
     for (pixel, verdict) in finding.pixels.iter().enumerate() {
         if *verdict == Verdict::Right {
-            assert!(off[pixel] <= 1e-5);
+            assert!(off[pixel] <= F32);
         }
     }
     // A pixel with too few or too many fragments nearly always shows in its colour.
     let counted = [Verdict::Missing, Verdict::Doubled, Verdict::Stuck].map(|v| finding.count(v));
-    let seen = off.iter().filter(|&&off| off > 1e-5).count();
+    let seen = off.iter().filter(|&&off| off > F32).count();
     assert!(
         seen * 10 >= counted.iter().sum::<usize>() * 9,
         "{seen} {counted:?}"

@@ -1,6 +1,7 @@
 //! ppAO and ppDP twice on the same random stacks: the paper's pseudocode line by line on the emulator's lists, and the
 //! shaders on OpenGL. The same fragments, walks, records and Local Array elements, as printed and as amended.
 
+use crate::kit::bounds::F32;
 use crate::kit::stack;
 use std::cell::{Cell, RefCell};
 
@@ -15,7 +16,7 @@ use onionskin::steps::pseudo::list::{Counter, Line, Mark};
 use onionskin::{Context, Method, Renderer};
 use proptest::test_runner::{TestCaseError, TestError};
 
-use crate::kit::a_buffer::{F32, MANAGERS};
+use crate::kit::a_buffer::MANAGERS;
 use crate::kit::masks::stencil;
 use crate::kit::stack::{Stack, fragments, runner, stacks};
 

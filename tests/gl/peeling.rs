@@ -1,5 +1,6 @@
 //! Depth peeling against the oracle: random fragment stacks, random triangle soups, every way to stop.
 
+use crate::kit::bounds::F32;
 use crate::kit::stack;
 use onionskin::image::Comparison;
 use onionskin::methods::{Compositing, DepthPeelingOptions, Frame, Peeling};
@@ -8,7 +9,7 @@ use onionskin::steps::Reason;
 use onionskin::{Context, Method, Renderer, Scene};
 use proptest::test_runner::{TestCaseError, TestError};
 
-use crate::kit::peeling::{F32, peel};
+use crate::kit::peeling::peel;
 use crate::kit::stack::{Piece, Stack, fragments, runner, stacks};
 
 const BOTH: [Compositing; 2] = [Compositing::OnTheFly, Compositing::KeepLayers];

@@ -1,12 +1,13 @@
 //! Depth peeling when a word of the listing is changed.
 
+use crate::kit::bounds::F32;
 use onionskin::image::Comparison;
 use onionskin::methods::DepthPeelingOptions;
 use onionskin::steps::{Amendment, Map, Step};
 use onionskin::{Context, Scene, steps};
 
 use crate::kit::changed::changed;
-use crate::kit::peeling::{F32, peel};
+use crate::kit::peeling::peel;
 use crate::kit::stack::{Piece, Stack};
 
 #[test]

@@ -1,5 +1,6 @@
 //! Volumes and surfaces in one image, by `exact` on the driver's own fragments.
 
+use crate::kit::bounds::distance;
 use onionskin::fragment::Rgba;
 use onionskin::methods::registry;
 use onionskin::scene::{Mesh, Transfer};
@@ -9,9 +10,8 @@ use crate::kit::cast::cast;
 use crate::kit::fog::cast_fog;
 use crate::kit::fog_scenes::{fog_and_pane, fog_with_a_gap, fogs_and_panes, off, random_scene};
 
-/// Depths are f32: with a near plane at 0.5, half of a last place of 1 is 6^2/0.5 x 2^-25 = 2e-6 at a distance of 6, times
-/// densities of up to 4 between colours that differ by up to 1. The issue that asked for exactness allows 1e-4.
-const BOUND: f64 = 1e-5;
+/// Where a surface ends a volume, times densities of up to 4 between colours that differ by up to 1.
+const BOUND: f64 = 4.0 * distance(0.5);
 
 fn exact(context: &Context, scene: &Scene) -> Image {
     let [width, height] = scene.size;

@@ -5,10 +5,6 @@ use onionskin::scene::Camera;
 use onionskin::scene::generate::{Order, Quads, Soup, quads, soup};
 use onionskin::{Method, Renderer, Scene};
 
-/// f32 colours composited in at most 1000 roundings of 2^-24 each, 6e-5, of which a front-to-back sum of weights that add
-/// up to 1 feels a few; the issue that asked for exactness allows 1e-5.
-pub const F32: f64 = 1e-5;
-
 /// A half float has 11 significant bits, so a colour is off by at most 2^-12 and an alpha by at most alpha x 2^-11 when
 /// rounded to nearest, twice that when cut. Colours are weighted by what adds up to 1; so are the alphas' relative errors.
 /// Cut: 2^-11 + 2^-10.

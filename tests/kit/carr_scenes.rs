@@ -4,9 +4,6 @@ use onionskin::image::Comparison;
 use onionskin::methods::{Frame, IdealOptions, LayerPeelingOptions, Sorting};
 use onionskin::{Context, Method, Renderer, Scene};
 
-/// f32 colours composited in at most 270 roundings of 2^-24 each: 1.6e-5. Measured are 5e-7.
-pub const F32: f64 = 1e-5;
-
 pub fn ideal(sorting: Sorting) -> Method {
     Method::IdealCoherentLayerPeeling(IdealOptions {
         sorting,

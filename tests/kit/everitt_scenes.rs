@@ -8,10 +8,6 @@ use onionskin::scene::generate::{Soup, soup};
 use onionskin::{Context, Method, Renderer, Scene};
 use proptest::test_runner::{TestCaseError, TestError};
 
-/// f32 colours composited in at most 64 roundings of 2^-24 each, and the oracle's own rounding to f32: 4e-6. The issue
-/// that asked for exactness allows 1e-5.
-pub const F32: f64 = 1e-5;
-
 /// What an eye, or a file of 8 bits, can tell apart.
 pub const VISIBLE: f64 = 1.0 / 255.0;
 

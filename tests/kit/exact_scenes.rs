@@ -1,15 +1,12 @@
 //! Scenes of the tests of the exact image.
 
+use super::bounds::F32;
 use glam::DVec3;
 use onionskin::gl::Format;
 use onionskin::image::Comparison;
 use onionskin::scene::Camera;
 use onionskin::scene::generate::{Soup, soup};
 use onionskin::{Context, Method, Renderer, Scene};
-
-/// f32 colours composited in at most 64 roundings of 2^-24 each, and the oracle's own rounding to f32: 4e-6. The issue
-/// that asked for exactness allows 1e-5.
-pub const F32: f64 = 1e-5;
 
 /// How far a depth may be off: transform, division and interpolation are a handful of f32 roundings of 2^-24 each, of
 /// the depth itself and of places in an image of `size` pixels, over which the depth changes by `slope` a pixel. That

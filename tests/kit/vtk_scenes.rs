@@ -1,14 +1,11 @@
 //! Scenes and renderings of the claims of VTK's page.
 
+use super::bounds::F32;
 use super::stack::{Piece, Stack};
 use onionskin::image::Comparison;
 use onionskin::methods::{Compositing, DepthPeelingOptions, Frame};
 use onionskin::scene::generate::{Soup, soup};
 use onionskin::{Context, Method, Renderer, Scene};
-
-/// f32 colours composited in at most 64 roundings of 2^-24 each, and the oracle's own rounding to f32: 4e-6. The issue
-/// that asked for exactness allows 1e-5.
-pub const F32: f64 = 1e-5;
 
 pub const BOTH: [Compositing; 2] = [Compositing::OnTheFly, Compositing::KeepLayers];
 
