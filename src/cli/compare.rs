@@ -7,15 +7,12 @@ use comfy_table::{CellAlignment, Table, presets};
 use onionskin::methods::{Stats, registry};
 use onionskin::{Context, Method, Result};
 
+use super::loss::loss;
 use super::output::{self, print_json, say};
 use super::progress::Progress;
-use super::record::{Errors, Record};
-use super::render::loss;
+use super::record::{Errors, FRAMES, Record};
 use super::setup::Setup;
 use super::slices::Slices;
-
-/// How many frames a time is the median of.
-pub(super) const FRAMES: usize = 5;
 
 /// Compare methods on one scene: passes, time, and error against the exact image
 ///

@@ -13,6 +13,7 @@ mod frame_folder;
 mod frame_row;
 mod licences;
 mod listing;
+mod loss;
 mod memory;
 mod method_options;
 mod methods;

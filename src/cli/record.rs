@@ -5,6 +5,9 @@ use onionskin::image::Comparison;
 use onionskin::methods::{ABufferCounts, Frame, Stats};
 use serde::Serialize;
 
+/// How many frames a time is the median of.
+pub(super) const FRAMES: usize = 5;
+
 /// One result. The names are part of the command line's face.
 #[derive(Serialize)]
 pub(super) struct Record<'a> {

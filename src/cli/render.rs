@@ -5,15 +5,15 @@ use std::process::ExitCode;
 
 use clap::Args;
 use onionskin::image::{FileKind, check_writable};
-use onionskin::methods::{Frame, Stats, registry};
+use onionskin::methods::Frame;
 use onionskin::{Method, Result};
 
-use super::compare::FRAMES;
 use super::encoding::EncodingOption;
+use super::loss::loss;
 use super::method_options::MethodOptions;
 use super::output::{self, print_json, say};
 use super::progress::Progress;
-use super::record::{Errors, Record};
+use super::record::{Errors, FRAMES, Record};
 use super::setup::{SCENE_FILES, Setup};
 
 /// Render a scene by one method
@@ -123,27 +123,4 @@ impl Render {
         self.output
             .with_file_name(format!("{stem}-layer-{number}.{ending}"))
     }
-}
-
-/// What a user has to know about an image that is not whole.
-pub(super) fn loss(stats: &Stats) -> Option<String> {
-    let lost = stats.lost.filter(|&lost| lost > 0)?;
-    if let Some(counts) = &stats.a_buffer {
-        return Some(format!(
-            "{lost} of {} fragments, of {} pixels, are not in the image of {} (stopped: {}; --array takes more at a time, \
-             ppDP takes all)",
-            stats.fragments,
-            counts.truncated_pixels,
-            stats.method,
-            stats.stopped_text()
-        ));
-    }
-    let entry = registry().iter().find(|entry| entry.name == stats.method)?;
-    Some(format!(
-        "{lost} of {} fragments are not in the image of {} (stopped: {}; of equal depths: {})",
-        stats.fragments,
-        stats.method,
-        stats.stopped_text(),
-        entry.ties
-    ))
 }
