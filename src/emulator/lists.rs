@@ -9,9 +9,9 @@ pub use ray::{RayEvent, RayHappening, RayRun, RayScene, RayVolume};
 
 use crate::error::{Error, Result};
 use crate::fragment::{Fragment, Source};
-use crate::steps::Amendment;
 use crate::steps::pseudo::Algorithm;
 use crate::steps::pseudo::list::{End, Key, Line, Taken, Test};
+use crate::steps::{Amendment, Met, Scope};
 
 /// What an algorithm did.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -108,7 +108,7 @@ fn run_on_pixels<'a>(
             run.resolve(pixel, algorithm, amendments, array)?;
         }
     } else {
-        run.lines(algorithm.lines, amendments, nowhere)?;
+        run.lines(algorithm.lines, Scope::of(amendments), nowhere)?;
     }
     Ok(run)
 }
@@ -130,43 +130,29 @@ struct Here {
 }
 
 impl Run<'_> {
-    fn lines(
-        &mut self,
-        mut lines: &'static [Line],
-        amendments: &[Amendment<Line>],
-        here: Here,
-    ) -> Result<()> {
-        while let Some((line, rest)) = lines.split_first() {
-            if let Some(amendment) = Amendment::at(amendments, lines) {
-                lines = &lines[amendment.printed.len()..];
-                self.lines(amendment.amended, &[], here)?;
-            } else {
-                lines = rest;
-                self.line(line, amendments, here)?;
+    fn lines(&mut self, lines: &'static [Line], scope: Scope<'_, Line>, here: Here) -> Result<()> {
+        for met in scope.walk(lines) {
+            if let Met::Statement(line, scope) = met {
+                self.line(line, scope, here)?;
             }
         }
         Ok(())
     }
 
-    fn line(
-        &mut self,
-        line: &'static Line,
-        amendments: &[Amendment<Line>],
-        here: Here,
-    ) -> Result<()> {
+    fn line(&mut self, line: &'static Line, scope: Scope<'_, Line>, here: Here) -> Result<()> {
         match *line {
-            Line::Pixels(body) => self.each_pixel(body, amendments, here, |_| true),
+            Line::Pixels(body) => self.each_pixel(body, scope, here, |_| true),
             Line::UnresolvedPixels(body) => {
-                self.each_pixel(body, amendments, here, |pixel| !pixel.marked)
+                self.each_pixel(body, scope, here, |pixel| !pixel.marked)
             }
-            Line::Segments(body) => self.segments(body, amendments, here),
+            Line::Segments(body) => self.segments(body, scope, here),
             Line::Fragments(body) => {
                 let pixel = self.pixel(here, line)?;
                 pixel.done.subpasses += 1;
                 for &fragment in pixel.list {
                     self.pixel(here, line)?.done.records_read += 1;
                     let fragment = Some(fragment);
-                    self.lines(body, amendments, Here { fragment, ..here })?;
+                    self.lines(body, scope, Here { fragment, ..here })?;
                 }
                 Ok(())
             }
@@ -175,16 +161,16 @@ impl Run<'_> {
                 pixel.done.subpasses += 1;
                 pixel.done.records_read += pixel.list.len() as u32;
                 let fragments = pixel.sorted();
-                self.resolve_each(fragments, body, amendments, here)
+                self.resolve_each(fragments, body, scope, here)
             }
             Line::Elements(body) => {
                 let fragments = self.peel(here, line)?.resolve(Taken::All);
-                self.resolve_each(fragments, body, amendments, here)
+                self.resolve_each(fragments, body, scope, here)
             }
-            Line::Repeat(body) => self.repeat(body, amendments, here),
+            Line::Repeat(body) => self.repeat(body, scope, here),
             Line::If(test, then, otherwise) => {
                 let holds = self.holds(test, here, line)?;
-                self.lines(if holds { then } else { otherwise }, amendments, here)
+                self.lines(if holds { then } else { otherwise }, scope, here)
             }
             Line::Run(algorithm, its_amendments) => {
                 let pixel = here.pixel.ok_or_else(|| misplaced(line))?;
@@ -245,14 +231,14 @@ impl Run<'_> {
     fn each_pixel(
         &mut self,
         body: &'static [Line],
-        amendments: &[Amendment<Line>],
+        scope: Scope<'_, Line>,
         here: Here,
         among: impl Fn(&Pixel<'_>) -> bool,
     ) -> Result<()> {
         for pixel in 0..self.pixels.len() {
             if among(&self.pixels[pixel]) {
                 let pixel = Some(pixel);
-                self.lines(body, amendments, Here { pixel, ..here })?;
+                self.lines(body, scope, Here { pixel, ..here })?;
             }
         }
         Ok(())
@@ -263,7 +249,7 @@ impl Run<'_> {
         &mut self,
         fragments: Vec<Fragment>,
         body: &'static [Line],
-        amendments: &[Amendment<Line>],
+        scope: Scope<'_, Line>,
         here: Here,
     ) -> Result<()> {
         for fragment in fragments {
@@ -272,7 +258,7 @@ impl Run<'_> {
                 .composited
                 .push(fragment.order);
             let fragment = Some(fragment);
-            self.lines(body, amendments, Here { fragment, ..here })?;
+            self.lines(body, scope, Here { fragment, ..here })?;
         }
         Ok(())
     }
@@ -280,7 +266,7 @@ impl Run<'_> {
     fn segments(
         &mut self,
         body: &'static [Line],
-        amendments: &[Amendment<Line>],
+        scope: Scope<'_, Line>,
         here: Here,
     ) -> Result<()> {
         if self.array < FIRST_SEGMENT {
@@ -295,29 +281,26 @@ impl Run<'_> {
         let segments = std::iter::successors(Some(FIRST_SEGMENT), |i| i.checked_mul(2));
         let array = self.array;
         for size in segments.take_while(|&i| i <= array) {
-            self.lines(body, amendments, Here { size, ..here })?;
+            self.lines(body, scope, Here { size, ..here })?;
         }
         Ok(())
     }
 
-    fn repeat(
-        &mut self,
-        body: &'static [Line],
-        amendments: &[Amendment<Line>],
-        here: Here,
-    ) -> Result<()> {
-        let Some((Line::Until(printed), body)) = body.split_last() else {
-            return Err(misplaced(&Line::Repeat(body)));
-        };
-        let end = match Amendment::at(amendments, &[Line::Until(*printed)]).map(|it| it.amended) {
-            Some(&[Line::Until(amended)]) => amended,
-            _ => *printed,
-        };
+    /// The loop's end is its last line.
+    fn repeat(&mut self, body: &'static [Line], scope: Scope<'_, Line>, here: Here) -> Result<()> {
         for _ in 0..self.limit {
-            self.peel(here, &Line::Until(end))?.dropped = false;
-            self.lines(body, amendments, here)?;
-            let pixel = self.pixel(here, &Line::Until(end))?;
-            let count = pixel.list.len();
+            self.peel(here, &Line::Repeat(body))?.dropped = false;
+            let mut until = None;
+            for met in scope.walk(body) {
+                match met {
+                    Met::Statement(line, _) if until.is_some() => return Err(misplaced(line)),
+                    Met::Statement(Line::Until(end), _) => until = Some(*end),
+                    Met::Statement(line, scope) => self.line(line, scope, here)?,
+                    Met::Amendment(_) => {}
+                }
+            }
+            let end = until.ok_or_else(|| misplaced(&Line::Repeat(body)))?;
+            let count = self.pixel(here, &Line::Until(end))?.list.len();
             let peel = self.peel(here, &Line::Until(end))?;
             if match end {
                 End::AllResolved => peel.resolved == count,
@@ -344,7 +327,7 @@ impl Run<'_> {
             fragment: None,
             size,
         };
-        self.lines(algorithm.lines, amendments, here)
+        self.lines(algorithm.lines, Scope::of(amendments), here)
     }
 
     fn holds(&mut self, test: Test, here: Here, line: &Line) -> Result<bool> {

@@ -4,7 +4,7 @@ use super::machine::{Kind, Surface};
 use crate::error::{Error, Result};
 use crate::fragment::Fragment;
 use crate::steps::pseudo::{Algorithm, Line, Test, Value};
-use crate::steps::{Amendment, Compare};
+use crate::steps::{Amendment, Compare, Met, Scope};
 
 /// What an algorithm did.
 #[derive(Clone, Debug, PartialEq)]
@@ -46,7 +46,7 @@ pub fn run_algorithm(
             ended: true,
         },
     };
-    run.lines(algorithm.lines, amendments, Here::Nowhere)?;
+    run.lines(algorithm.lines, Scope::of(amendments), Here::Nowhere)?;
     Ok(run.done)
 }
 
@@ -84,30 +84,23 @@ enum Here<'a> {
 impl<'a> Run<'a> {
     fn lines(
         &mut self,
-        mut lines: &[Line],
-        amendments: &[Amendment<Line>],
+        lines: &'static [Line],
+        scope: Scope<'_, Line>,
         here: Here<'a>,
     ) -> Result<()> {
-        while let Some((line, rest)) = lines.split_first() {
-            match Amendment::at(amendments, lines) {
-                Some(amendment) => {
-                    lines = &lines[amendment.printed.len()..];
-                    self.lines(amendment.amended, &[], here)?;
-                }
-                None => {
-                    lines = rest;
-                    self.line(line, amendments, here)?;
-                }
+        for met in scope.walk(lines) {
+            if let Met::Statement(line, scope) = met {
+                self.line(line, scope, here)?;
             }
         }
         Ok(())
     }
 
-    fn line(&mut self, line: &Line, amendments: &[Amendment<Line>], here: Here<'a>) -> Result<()> {
+    fn line(&mut self, line: &Line, scope: Scope<'_, Line>, here: Here<'a>) -> Result<()> {
         match *line {
             Line::Pixels(body) => {
                 for pixel in 0..self.pixels.len() {
-                    self.lines(body, amendments, Here::Pixel(pixel))?;
+                    self.lines(body, scope, Here::Pixel(pixel))?;
                 }
             }
             Line::Fragments { of, body, .. } => {
@@ -117,7 +110,7 @@ impl<'a> Run<'a> {
                         if surface.kind.is_among(of) {
                             any = true;
                             self.set_of(pixel, FRAGMENT, surface.fragment.depth);
-                            self.lines(body, amendments, Here::Fragment(pixel, &surface.fragment))?;
+                            self.lines(body, scope, Here::Fragment(pixel, &surface.fragment))?;
                         }
                     }
                 }
@@ -130,7 +123,7 @@ impl<'a> Run<'a> {
                         break;
                     }
                     self.done.iterations += 1;
-                    self.lines(body, amendments, here)?;
+                    self.lines(body, scope, here)?;
                 }
             }
             Line::If {
@@ -143,7 +136,7 @@ impl<'a> Run<'a> {
                 } else {
                     otherwise
                 };
-                self.lines(branch, amendments, here)?;
+                self.lines(branch, scope, here)?;
             }
             Line::Set { variable, value } => {
                 let value = self.value(value, here)?;

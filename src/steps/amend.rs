@@ -20,16 +20,6 @@ pub struct Amendment<S: 'static = Step> {
     pub test: &'static str,
 }
 
-impl<S: PartialEq> Amendment<S> {
-    /// The amendment that applies at the head of `statements`, if there is one.
-    pub fn at<'a>(amendments: &'a [Self], statements: &[S]) -> Option<&'a Self> {
-        let printed_here = |amendment: &&Self| {
-            !amendment.printed.is_empty() && statements.starts_with(amendment.printed)
-        };
-        amendments.iter().find(printed_here)
-    }
-}
-
 /// A statement that may have others inside.
 pub trait Statement: PartialEq + Sized + 'static {
     /// What is inside: nothing, a body, or two branches.
@@ -49,23 +39,80 @@ impl<S: Statement> Amendment<S> {
     }
 }
 
-/// The amendments in force: those of the listing that runs, then those of the listing that runs it, and so on.
-pub(super) struct Scope<'a> {
-    pub(super) amendments: &'a [Amendment],
-    pub(super) outer: Option<&'a Scope<'a>>,
+/// The amendments in force: those of the text that is walked, then those of the text that runs it, and so on.
+#[derive(Debug)]
+pub struct Scope<'a, S: 'static = Step> {
+    amendments: &'a [Amendment<S>],
+    outer: Option<&'a Scope<'a, S>>,
 }
 
-impl<'a> Scope<'a> {
-    pub(super) const NOTHING: Self = Self {
-        amendments: &[],
-        outer: None,
-    };
+impl<S> Clone for Scope<'_, S> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
 
-    /// The innermost amendment at the head of `steps`, and the scope outside of its list.
-    pub(super) fn at(&'a self, steps: &[Step]) -> Option<(&'a Amendment, Option<&'a Self>)> {
-        match Amendment::at(self.amendments, steps) {
-            Some(amendment) => Some((amendment, self.outer)),
-            None => self.outer?.at(steps),
+impl<S> Copy for Scope<'_, S> {}
+
+/// What a walk meets.
+#[derive(Debug)]
+pub enum Met<'a, S: 'static> {
+    /// An amendment: the statements that follow are its own.
+    Amendment(&'a Amendment<S>),
+    /// A statement, and the amendments in force inside of it.
+    Statement(&'static S, Scope<'a, S>),
+}
+
+impl<'a, S: PartialEq> Scope<'a, S> {
+    /// These amendments alone.
+    pub const fn of(amendments: &'a [Amendment<S>]) -> Self {
+        Self {
+            amendments,
+            outer: None,
+        }
+    }
+
+    /// These amendments, and around them those of this scope.
+    pub const fn around(&'a self, amendments: &'a [Amendment<S>]) -> Self {
+        Self {
+            amendments,
+            outer: Some(self),
+        }
+    }
+
+    /// The statements in their order, with amendments in place. What is inside of a statement is walked by whoever knows
+    /// how often.
+    ///
+    /// What an amendment puts in is not amended again by the list that it is from: it usually contains what it replaces.
+    pub fn walk(self, statements: &'static [S]) -> impl Iterator<Item = Met<'a, S>> {
+        let mut ahead = vec![(statements, self)];
+        std::iter::from_fn(move || {
+            loop {
+                let (statements, scope) = ahead.last_mut()?;
+                let Some((statement, rest)) = statements.split_first() else {
+                    ahead.pop();
+                    continue;
+                };
+                let Some((amendment, outer)) = scope.at(statements) else {
+                    *statements = rest;
+                    return Some(Met::Statement(statement, *scope));
+                };
+                *statements = &statements[amendment.printed.len()..];
+                ahead.push((amendment.amended, outer));
+                return Some(Met::Amendment(amendment));
+            }
+        })
+    }
+
+    /// The innermost amendment at the head of `statements`, and the scope outside of its list.
+    fn at(self, statements: &[S]) -> Option<(&'a Amendment<S>, Self)> {
+        let printed_here = |amendment: &&Amendment<S>| {
+            !amendment.printed.is_empty() && statements.starts_with(amendment.printed)
+        };
+        let outer = self.outer.copied();
+        match self.amendments.iter().find(printed_here) {
+            Some(amendment) => Some((amendment, outer.unwrap_or(Self::of(&[])))),
+            None => outer?.at(statements),
         }
     }
 }

@@ -42,7 +42,7 @@ pub mod pseudo;
 mod trace;
 mod walk;
 
-pub use amend::{Amendment, Statement};
+pub use amend::{Amendment, Met, Scope, Statement};
 pub use call::{Call, ClassicCall};
 pub use classic::{
     ClassicCapability, DepthTextureMode, MatrixMode, TexEnvName, TexEnvValue, TextureTarget,

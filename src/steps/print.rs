@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::amend::{Amendment, Scope};
+use super::amend::{Amendment, Met, Scope};
 use super::call::{Call, ClassicCall};
 use super::constants::*;
 use super::expr::Condition;
@@ -15,11 +15,7 @@ pub fn listing(listing: &Listing, amendments: &[Amendment]) -> String {
         dialect: listing.dialect,
         text: String::new(),
     };
-    let scope = Scope {
-        amendments,
-        outer: None,
-    };
-    printer.steps(listing.steps, &scope, 0);
+    printer.steps(listing.steps, Scope::of(amendments), 0);
     printer.text
 }
 
@@ -33,29 +29,22 @@ impl Printer {
         self.text += &format!("{:1$}{line}\n", "", indent * 2);
     }
 
-    fn block(&mut self, indent: usize, body: &[Step], scope: &Scope<'_>) {
+    fn block(&mut self, indent: usize, body: &'static [Step], scope: Scope<'_>) {
         self.line(indent, "{");
         self.steps(body, scope, indent + 1);
         self.line(indent, "}");
     }
 
-    fn steps(&mut self, mut steps: &[Step], scope: &Scope<'_>, indent: usize) {
-        while let Some((step, rest)) = steps.split_first() {
-            if let Some((amendment, outer)) = scope.at(steps) {
-                self.line(
-                    indent,
-                    format_args!("// {}: {}", amendment.key, amendment.why),
-                );
-                self.steps(amendment.amended, outer.unwrap_or(&Scope::NOTHING), indent);
-                steps = &steps[amendment.printed.len()..];
-            } else {
-                self.step(step, scope, indent);
-                steps = rest;
+    fn steps(&mut self, steps: &'static [Step], scope: Scope<'_>, indent: usize) {
+        for met in scope.walk(steps) {
+            match met {
+                Met::Amendment(it) => self.line(indent, format_args!("// {}: {}", it.key, it.why)),
+                Met::Statement(step, scope) => self.step(step, scope, indent),
             }
         }
     }
 
-    fn step(&mut self, step: &Step, scope: &Scope<'_>, indent: usize) {
+    fn step(&mut self, step: &Step, scope: Scope<'_>, indent: usize) {
         match *step {
             Step::Call(call) => self.line(indent, self.call(&call)),
             Step::DepthUnit { unit, body } => {
@@ -102,11 +91,7 @@ impl Printer {
                     format_args!("// {}: {}", listing.source, listing.title),
                 );
                 let dialect = std::mem::replace(&mut self.dialect, listing.dialect);
-                let inner = Scope {
-                    amendments,
-                    outer: Some(scope),
-                };
-                self.steps(listing.steps, &inner, indent);
+                self.steps(listing.steps, scope.around(amendments), indent);
                 self.dialect = dialect;
             }
         }
@@ -115,13 +100,13 @@ impl Printer {
     fn branch(
         &mut self,
         condition: &Condition,
-        then: &[Step],
-        otherwise: &[Step],
-        scope: &Scope<'_>,
+        then: &'static [Step],
+        otherwise: &'static [Step],
+        scope: Scope<'_>,
         indent: usize,
     ) {
         self.line(indent, format_args!("if({condition})"));
-        let mut arm = |body: &[Step]| match body {
+        let mut arm = |body: &'static [Step]| match body {
             // A single statement needs no braces.
             [_] => self.steps(body, scope, indent + 1),
             _ => self.block(indent, body, scope),

@@ -12,7 +12,7 @@ pub mod list;
 
 use std::fmt;
 
-use super::amend::{Amendment, Statement};
+use super::amend::{Amendment, Met, Scope, Statement};
 use super::constants::{Compare, Objects};
 
 /// An algorithm as its paper prints it, in statements that are [`Line`]s, or another paper's [`list::Line`]s.
@@ -118,7 +118,7 @@ pub fn print(algorithm: &Algorithm, amendments: &[Amendment<Line>]) -> String {
         number: 0,
         text: String::new(),
     };
-    printer.lines(algorithm.lines, amendments, 0);
+    printer.lines(algorithm.lines, Scope::of(amendments), 0);
     printer.text
 }
 
@@ -138,34 +138,30 @@ impl Printer {
         );
     }
 
-    fn lines(&mut self, mut lines: &[Line], amendments: &[Amendment<Line>], indent: usize) {
-        while let Some((line, rest)) = lines.split_first() {
-            if let Some(amendment) = Amendment::at(amendments, lines) {
-                self.text += &format!("    // {}: {}\n", amendment.key, amendment.why);
-                self.lines(amendment.amended, &[], indent);
-                lines = &lines[amendment.printed.len()..];
-            } else {
-                self.statement(line, amendments, indent);
-                lines = rest;
+    fn lines(&mut self, lines: &'static [Line], scope: Scope<'_, Line>, indent: usize) {
+        for met in scope.walk(lines) {
+            match met {
+                Met::Amendment(it) => self.text += &format!("    // {}: {}\n", it.key, it.why),
+                Met::Statement(line, scope) => self.statement(line, scope, indent),
             }
         }
     }
 
-    fn statement(&mut self, line: &Line, amendments: &[Amendment<Line>], indent: usize) {
+    fn statement(&mut self, line: &Line, scope: Scope<'_, Line>, indent: usize) {
         match *line {
             Line::Pixels(body) => {
                 self.line(indent, "for all pixel sample locations do");
-                self.lines(body, amendments, indent + 1);
+                self.lines(body, scope, indent + 1);
                 self.line(indent, "end for");
             }
             Line::Fragments { phrase, body, .. } => {
                 self.line(indent, format_args!("for all {phrase} do"));
-                self.lines(body, amendments, indent + 1);
+                self.lines(body, scope, indent + 1);
                 self.line(indent, "end for");
             }
             Line::While { flag, body } => {
                 self.line(indent, format_args!("while {flag} = true do"));
-                self.lines(body, amendments, indent + 1);
+                self.lines(body, scope, indent + 1);
                 self.line(indent, "end while");
             }
             Line::If {
@@ -174,8 +170,8 @@ impl Printer {
                 otherwise,
             } => {
                 self.line(indent, format_args!("if {test} then"));
-                self.lines(then, amendments, indent + 1);
-                self.otherwise(otherwise, amendments, indent);
+                self.lines(then, scope, indent + 1);
+                self.otherwise(otherwise, scope, indent);
                 self.line(indent, "end if");
             }
             Line::Set { variable, value } => {
@@ -187,27 +183,31 @@ impl Printer {
     }
 
     /// An `if` that is all of an `else` continues the chain.
-    fn otherwise(&mut self, lines: &[Line], amendments: &[Amendment<Line>], indent: usize) {
-        let lines = match Amendment::at(amendments, lines) {
-            Some(amendment) if amendment.printed.len() == lines.len() => amendment.amended,
-            _ => lines,
+    fn otherwise(&mut self, lines: &'static [Line], scope: Scope<'_, Line>, indent: usize) {
+        let statement = |met| match met {
+            Met::Amendment(_) => None,
+            Met::Statement(line, scope) => Some((line, scope)),
         };
-        match lines {
+        let all: Vec<_> = scope.walk(lines).filter_map(statement).collect();
+        match all[..] {
             [] => {}
             [
-                Line::If {
-                    test,
-                    then,
-                    otherwise,
-                },
+                (
+                    &Line::If {
+                        test,
+                        then,
+                        otherwise,
+                    },
+                    scope,
+                ),
             ] => {
                 self.line(indent, format_args!("else if {test} then"));
-                self.lines(then, amendments, indent + 1);
-                self.otherwise(otherwise, amendments, indent);
+                self.lines(then, scope, indent + 1);
+                self.otherwise(otherwise, scope, indent);
             }
             _ => {
                 self.line(indent, "else");
-                self.lines(lines, amendments, indent + 1);
+                self.lines(lines, scope, indent + 1);
             }
         }
     }

@@ -1,6 +1,6 @@
 //! Walking a listing: evaluates what is computed, resolves what is named, and hands the calls to a machine.
 
-use super::amend::{Amendment, Scope};
+use super::amend::{Amendment, Met, Scope};
 use super::call::Call;
 use super::expr::{Condition, Expr, Variables};
 use super::format::Format;
@@ -62,13 +62,7 @@ pub fn run(
         variables,
     };
     let mut walk = Walk { machine, outcome };
-    walk.steps(
-        listing.steps,
-        &Scope {
-            amendments,
-            outer: None,
-        },
-    )?;
+    walk.steps(listing.steps, Scope::of(amendments))?;
     Ok(walk.outcome)
 }
 
@@ -85,28 +79,18 @@ enum Flow {
 }
 
 impl<M: Machine> Walk<'_, M> {
-    fn steps(&mut self, mut steps: &[Step], scope: &Scope<'_>) -> Result<Flow> {
-        while let Some((step, rest)) = steps.split_first() {
-            let flow = match scope.at(steps) {
-                Some((amendment, outer)) => {
-                    steps = &steps[amendment.printed.len()..];
-                    // What an amendment puts in is not amended again by its own list: it usually contains what it
-                    // replaces.
-                    self.steps(amendment.amended, outer.unwrap_or(&Scope::NOTHING))?
-                }
-                None => {
-                    steps = rest;
-                    self.step(step, scope)?
-                }
-            };
-            if flow == Flow::Stop {
+    fn steps(&mut self, steps: &'static [Step], scope: Scope<'_>) -> Result<Flow> {
+        for met in scope.walk(steps) {
+            if let Met::Statement(step, scope) = met
+                && self.step(step, scope)? == Flow::Stop
+            {
                 return Ok(Flow::Stop);
             }
         }
         Ok(Flow::On)
     }
 
-    fn step(&mut self, step: &Step, scope: &Scope<'_>) -> Result<Flow> {
+    fn step(&mut self, step: &Step, scope: Scope<'_>) -> Result<Flow> {
         match *step {
             Step::Call(call) => {
                 let call = call.resolved(&|name| self.variable(name))?;
@@ -171,13 +155,7 @@ impl<M: Machine> Walk<'_, M> {
                 listing,
                 amendments,
             } => {
-                self.steps(
-                    listing.steps,
-                    &Scope {
-                        amendments,
-                        outer: Some(scope),
-                    },
-                )?;
+                self.steps(listing.steps, scope.around(amendments))?;
             }
         }
         Ok(Flow::On)

@@ -6,7 +6,7 @@
 use std::fmt;
 
 use super::Algorithm;
-use crate::steps::{Amendment, Statement};
+use crate::steps::{Amendment, Met, Scope, Statement};
 
 /// One statement.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -197,40 +197,32 @@ pub enum Mark {
 /// The algorithm as its paper prints it, with `amendments` in place; without any, as printed.
 pub fn print(algorithm: &Algorithm<Line>, amendments: &[Amendment<Line>]) -> String {
     let mut text = String::new();
-    print_lines(&mut text, algorithm.lines, amendments, 0);
+    print_lines(&mut text, algorithm.lines, Scope::of(amendments), 0);
     text
 }
 
-fn print_lines(
-    text: &mut String,
-    mut lines: &[Line],
-    amendments: &[Amendment<Line>],
-    indent: usize,
-) {
-    while let Some((line, rest)) = lines.split_first() {
-        if let Some(amendment) = Amendment::at(amendments, lines) {
-            // An `until` stands where its `repeat` does.
-            let indent_of_why = match line {
-                Line::Until(_) => indent - 1,
-                _ => indent,
-            };
-            let why = format_args!("// {}: {}", amendment.key, amendment.why);
-            print_line(text, indent_of_why, why);
-            print_lines(text, amendment.amended, &[], indent);
-            lines = &lines[amendment.printed.len()..];
-        } else {
-            print_statement(text, line, amendments, indent);
-            lines = rest;
+fn print_lines(text: &mut String, lines: &'static [Line], scope: Scope<'_, Line>, indent: usize) {
+    for met in scope.walk(lines) {
+        match met {
+            Met::Amendment(it) => {
+                // An `until` stands where its `repeat` does.
+                let indent = match it.printed {
+                    [Line::Until(_), ..] => indent - 1,
+                    _ => indent,
+                };
+                print_line(text, indent, format_args!("// {}: {}", it.key, it.why));
+            }
+            Met::Statement(line, scope) => print_statement(text, line, scope, indent),
         }
     }
 }
 
-fn print_statement(text: &mut String, line: &Line, amendments: &[Amendment<Line>], indent: usize) {
+fn print_statement(text: &mut String, line: &Line, scope: Scope<'_, Line>, indent: usize) {
     match line {
         Line::Until(_) => print_line(text, indent - 1, line),
         Line::Repeat(body) => {
             print_line(text, indent, line);
-            print_lines(text, body, amendments, indent + 1);
+            print_lines(text, body, scope, indent + 1);
         }
         Line::Pixels(body)
         | Line::UnresolvedPixels(body)
@@ -239,15 +231,15 @@ fn print_statement(text: &mut String, line: &Line, amendments: &[Amendment<Line>
         | Line::Sorted(body)
         | Line::Elements(body) => {
             print_line(text, indent, line);
-            print_lines(text, body, amendments, indent + 1);
+            print_lines(text, body, scope, indent + 1);
             print_line(text, indent, "end");
         }
         Line::If(_, then, otherwise) => {
             print_line(text, indent, line);
-            print_lines(text, then, amendments, indent + 1);
+            print_lines(text, then, scope, indent + 1);
             if !otherwise.is_empty() {
                 print_line(text, indent, "else");
-                print_lines(text, otherwise, amendments, indent + 1);
+                print_lines(text, otherwise, scope, indent + 1);
             }
             print_line(text, indent, "end");
         }
