@@ -12,12 +12,13 @@
 use onionskin::emulator::{Emulator, Kind, Outcome, Record, Surface};
 use onionskin::fragment::{Fragment, Rgba};
 use onionskin::gl::{Geometry, GlMachine, capture};
+use onionskin::methods::{allocate_maps, begin_batch};
 use onionskin::papers::carr_2008::coherent::{self, PASS_5, PASS_6, RANGE_1, RANGE_3, RANGE_5};
 use onionskin::papers::carr_2008::passes::{PASS_1, PASS_2, PASS_3, PASS_4};
 use onionskin::papers::carr_2008::{D_SN, DEPTH_BUFFER, Z_MIN_POST, Z_MIN_PREV};
 use onionskin::papers::stage;
 use onionskin::scene::generate::{Quads, quads};
-use onionskin::steps::{Dialect, Format, Listing, Map, Variables, Workspace, gl::*, run};
+use onionskin::steps::{Dialect, Format, Listing, Variables, Workspace, gl::*, run};
 use onionskin::{Context, Image, Result, Scene, steps};
 
 #[path = "common/example.rs"]
@@ -90,13 +91,13 @@ fn main() -> Result<()> {
     let context = Context::headless()?;
     let mut gl = GlMachine::new(&context, scene.size)?;
     gl.set_geometry(Geometry::upload(&context, &scene, scene.size)?);
-    furnish(&mut gl)?;
+    maps(&mut gl)?;
     gl.begin_frame();
     run(&stage::OPAQUE_FIRST, &[], Variables::new(), &mut gl)?;
     let surfaces = surfaces(&mut gl)?;
     let s4 = surfaces[4].fragment.depth;
     let mut emulator = Emulator::new(vec![surfaces]).watching(0);
-    furnish(&mut emulator)?;
+    maps(&mut emulator)?;
     gl.begin_frame();
 
     begin(&mut gl, s4)?;
@@ -142,19 +143,16 @@ fn scene() -> Result<Scene> {
 }
 
 /// The same maps for both machines.
-fn furnish(workspace: &mut impl Workspace) -> Result<()> {
+fn maps(workspace: &mut impl Workspace) -> Result<()> {
     let (color, depth) = (Format::Rgba32F, Format::Depth32FStencil8);
-    let image = Map::named("image");
-    workspace.allocate(image, color)?;
-    workspace.allocate(stage::OPAQUE_DEPTH, depth)?;
-    workspace.target_of(stage::IMAGE, &[image], Some(stage::OPAQUE_DEPTH))?;
-    coherent::furnish(workspace, color, depth, None)
+    allocate_maps(workspace, &[&stage::RESOURCES], color, depth)?;
+    allocate_maps(workspace, &coherent::RESOURCES_A, color, depth)
 }
 
 /// Nothing opaque, and everything up to s4 peeled.
 fn begin(machine: &mut impl Workspace, s4: f32) -> Result<()> {
     run(&stage::OPAQUE_FIRST, &[], Variables::new(), machine)?;
-    coherent::begin_batch(machine, s4, 1.0)
+    begin_batch(machine, s4, 1.0)
 }
 
 /// The fragments that OpenGL makes, in the order of submission.

@@ -3,10 +3,9 @@
 use std::process::ExitCode;
 
 use clap::Args;
-use onionskin::error::{did_you_mean, nearest};
-use onionskin::papers::papers;
-use onionskin::steps::pseudo;
-use onionskin::steps::{self, Amendment, Recorder, Variables, free_variables, print, run};
+use onionskin::error::did_you_mean;
+use onionskin::papers::{papers, texts};
+use onionskin::steps::{self, Amendment, Recorder, Text, Variables, free_variables, run};
 use onionskin::{Error, Result};
 
 use super::output::say;
@@ -44,68 +43,32 @@ impl Listing {
         let Some(name) = &self.name else {
             return index();
         };
-        let texts = self.texts(name)?;
-        if texts.is_empty() {
-            return Err(unknown(name));
-        }
+        let texts = texts(name)?.into_iter().map(|(name, text)| {
+            let head = format!("// {}: {}\n", text.source(), text.title());
+            Ok(head + &self.body(&name, text)?)
+        });
+        let texts = texts.collect::<Result<Vec<_>>>()?;
         say(texts.join("\n").trim_end_matches('\n'))?;
         Ok(ExitCode::SUCCESS)
     }
 
-    /// What is printed for a name: a paper's, for all that it has, or one of its listings' or algorithms'.
-    fn texts(&self, name: &str) -> Result<Vec<String>> {
-        let (paper, wanted) = name
-            .split_once('/')
-            .map_or((name, None), |(p, l)| (p, Some(l)));
-        let is_wanted = |key: &str| wanted.is_none_or(|wanted| wanted == key);
-        let mut texts = Vec::new();
-        for paper in papers().iter().filter(|other| other.key == paper) {
-            for (key, listing, amendments) in paper.listings {
-                if is_wanted(key) {
-                    let head = format!("// {}: {}\n", listing.source, listing.title);
-                    texts.push(head + &self.listing(listing, amendments)?);
-                }
+    fn body(&self, name: &str, text: &Text) -> Result<String> {
+        let text = if self.as_printed {
+            text.as_printed()
+        } else {
+            *text
+        };
+        match (self.unroll, text) {
+            (Some(rounds), Text::Listing(listing, amendments)) => {
+                unroll(&listing, amendments, rounds, &self.set)
             }
-            for (key, algorithm, amendments) in paper.algorithms {
-                if is_wanted(key) {
-                    let head = format!("// {}: {}\n", algorithm.source, algorithm.title);
-                    self.makes_calls(name)?;
-                    texts.push(head + &pseudo::print(algorithm, self.beside(amendments)));
-                }
-            }
-            for (key, algorithm, amendments) in paper.list_algorithms {
-                if is_wanted(key) {
-                    let head = format!("// {}: {}\n", algorithm.source, algorithm.title);
-                    self.makes_calls(name)?;
-                    texts.push(head + &pseudo::list::print(algorithm, self.beside(amendments)));
-                }
-            }
-        }
-        Ok(texts)
-    }
-
-    fn listing(&self, listing: &steps::Listing, amendments: &[Amendment]) -> Result<String> {
-        let amendments = self.beside(amendments);
-        match self.unroll {
-            Some(rounds) => unroll(listing, amendments, rounds, &self.set),
-            None => Ok(print::listing(listing, amendments)),
-        }
-    }
-
-    /// The amendments that are wanted.
-    fn beside<'a, S>(&self, amendments: &'a [Amendment<S>]) -> &'a [Amendment<S>] {
-        if self.as_printed { &[] } else { amendments }
-    }
-
-    /// Pseudocode does not unroll. A paper as a whole unrolls what it can.
-    fn makes_calls(&self, name: &str) -> Result<()> {
-        if self.unroll.is_some() && name.contains('/') {
-            return Err(Error::usage(
+            // A paper as a whole unrolls what it can.
+            (Some(_), _) if self.name.as_deref() == Some(name) => Err(Error::usage(
                 format!("{name} is pseudocode, which makes no calls"),
                 "--unroll is for listings; what OpenGL runs for it is carr/hybrid, carr/ideal or lindholm/pp-ao",
-            ));
+            )),
+            _ => Ok(text.print()),
         }
-        Ok(())
     }
 }
 
@@ -113,47 +76,12 @@ impl Listing {
 fn index() -> Result<ExitCode> {
     for paper in papers() {
         say(paper.citation)?;
-        let listings = paper
-            .listings
-            .iter()
-            .map(|(key, listing, _)| (key, listing.title));
-        let algorithms = paper
-            .algorithms
-            .iter()
-            .map(|(key, algorithm, _)| (key, algorithm.title));
-        let on_lists = paper
-            .list_algorithms
-            .iter()
-            .map(|(key, algorithm, _)| (key, algorithm.title));
-        for (key, title) in listings.chain(algorithms).chain(on_lists) {
+        for (key, text) in paper.texts {
             let name = format!("{}/{key}", paper.key);
-            say(format_args!("  {name:<26} {title}"))?;
+            say(format_args!("  {name:<26} {}", text.title()))?;
         }
     }
     Ok(ExitCode::SUCCESS)
-}
-
-fn unknown(name: &str) -> Error {
-    let names = papers().iter().flat_map(|paper| {
-        let listings = paper.listings.iter().map(|(key, ..)| *key);
-        let algorithms = paper.algorithms.iter().map(|(key, ..)| *key);
-        let on_lists = paper.list_algorithms.iter().map(|(key, ..)| *key);
-        listings
-            .chain(algorithms)
-            .chain(on_lists)
-            .map(move |key| format!("{}/{key}", paper.key))
-    });
-    let names: Vec<String> = names.collect();
-    let words: Vec<&str> = names.iter().map(String::as_str).collect();
-    let meant = nearest(name, &words).map(|meant| format!("Did you mean '{meant}'? "));
-    Error::usage(
-        format!("there is no listing '{name}'"),
-        format!(
-            "{}the listings are {}",
-            meant.unwrap_or_default(),
-            names.join(", ")
-        ),
-    )
 }
 
 /// The values of a listing's free variables: those that are set, and for some what a loop of so many rounds needs. Every

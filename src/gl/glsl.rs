@@ -24,6 +24,13 @@ const HALVINGS: &str = "a_buffer/halvings";
 /// Larger networks take drivers too long to compile; nothing includes them.
 const LARGEST_NETWORK: u32 = 128;
 
+/// The names of all fragment shaders, as listings have them.
+pub fn shaders() -> impl Iterator<Item = &'static str> {
+    FILES
+        .iter()
+        .filter_map(|(name, _)| name.strip_suffix(".frag"))
+}
+
 /// A shader, its includes in place.
 #[derive(Debug)]
 pub(super) struct Source {

@@ -35,6 +35,7 @@ pub use classic::{ClassicState, FixedFunction};
 pub use context::{Backend, Context, ContextOptions, Profile, suspect_variables};
 pub use driver::{Driver, Trap, WANTED_EXTENSIONS};
 pub use geometry::Geometry;
+pub use glsl::shaders;
 pub use host::Visit;
 pub use machine::{Counts, GlMachine};
 pub use storage::{Texels, largest_storage};

@@ -3,7 +3,13 @@
 
 use glam::DMat4;
 
+use crate::error::Result;
+use crate::papers::carr_2008::coherent::{BATCH_END, NEXT_BOUND};
+use crate::papers::carr_2008::{BOUND, D_SC};
+use crate::papers::stage::OPAQUE_DEPTH;
 use crate::scene::Scene;
+use crate::steps;
+use crate::steps::{Call, Dialect, Listing, Variables, Workspace, gl::*, run};
 
 /// A piece of the depth range, and what may be in it.
 pub(super) struct Batch {
@@ -85,3 +91,53 @@ fn depth_range(view_projection: DMat4, corners: [crate::scene::Vertex; 3]) -> [f
     }
     range
 }
+
+/// Sets `D(sc)` to a batch's beginning, which belongs to it, and [`BATCH_END`] to its end, which does not. Window depths.
+/// The workspace has [`RESOURCES_A`](crate::papers::carr_2008::coherent::RESOURCES_A), or those of variant B.
+///
+/// # Errors
+/// What the machine cannot do.
+pub fn begin_batch(workspace: &mut impl Workspace, begin: f32, end: f32) -> Result<()> {
+    clear_bound(workspace, end)?;
+    run(&NEARER_OF_BOTH, &[], Variables::new(), workspace)?;
+    clear_bound(workspace, begin)
+}
+
+fn clear_bound(workspace: &mut impl Workspace, depth: f32) -> Result<()> {
+    let depth = f64::from(depth);
+    workspace.perform(&Call::ClearDepth { depth })?;
+    run(&CLEAR_BOUND, &[], Variables::new(), workspace)?;
+    Ok(())
+}
+
+const CLEAR_BOUND: Listing = Listing {
+    title: "A depth everywhere",
+    source: "onionskin",
+    dialect: Dialect::Calls,
+    steps: steps! {
+        glBindFramebuffer(BOUND);
+        glDepthMask(true);
+        glClear(DEPTH_BUFFER_BIT);
+    },
+};
+
+const NEARER_OF_BOTH: Listing = Listing {
+    title: "The batch's end, or the opaque depth where that is nearer",
+    source: "onionskin",
+    dialect: Dialect::Calls,
+    steps: steps! {
+        glCopyImageSubData(D_SC, BATCH_END);
+        glDisable(STENCIL_TEST);
+        glEnable(DEPTH_TEST);
+        glDepthFunc(ALWAYS);
+        glUseProgram(NEXT_BOUND);
+        glActiveTexture(2);
+        glBindTexture(BATCH_END);
+        glActiveTexture(3);
+        glBindTexture(BATCH_END);
+        glActiveTexture(4);
+        glBindTexture(OPAQUE_DEPTH);
+        drawScreen();
+        glCopyImageSubData(D_SC, BATCH_END);
+    },
+};

@@ -7,7 +7,8 @@
 //! So triangles are roughly sorted first ([`Sorting`]). Of surfaces at the same depth the first submitted *after that*
 //! lies in front.
 
-use super::batches::{Batch, batches};
+use super::allocate_maps;
+use super::batches::{Batch, batches, begin_batch};
 use super::peeled::{Peeled, peeled};
 use super::sorting::Sorting;
 use super::{Algorithm, Drawn};
@@ -143,7 +144,7 @@ impl CoherentLayerPeeling {
         let mut composited = 0;
         for batch in batches {
             self.submit(machine, scene, &batch.order)?;
-            coherent::begin_batch(machine, batch.begin, batch.end)?;
+            begin_batch(machine, batch.begin, batch.end)?;
             let drawn = peeled(&run(
                 &listing,
                 &amendments,
@@ -172,10 +173,12 @@ impl Algorithm for CoherentLayerPeeling {
         self.order = self.options.sorting.order(scene);
         self.submit(machine, scene, &self.order)?;
         self.peeled.prepare(machine)?;
-        // Depths as colors need the image's full float precision (X17).
-        let depths_as_color = (self.options.variant == Variant::B).then_some(self.color);
-        coherent::furnish(machine, self.color, self.depth, depths_as_color)?;
-        machine.target(stage::COMPOSITE, Some(stage::IMAGE_COLOR), None)
+        let resources = match self.options.variant {
+            Variant::A => coherent::RESOURCES_A,
+            // Depths as colors need the image's full float precision (X17).
+            Variant::B => coherent::RESOURCES_B,
+        };
+        allocate_maps(machine, &resources, self.color, self.depth)
     }
 
     fn draw(&mut self, machine: &mut GlMachine<'_>, scene: &Scene) -> Result<Drawn> {

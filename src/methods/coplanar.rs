@@ -22,7 +22,7 @@
 //! translucent over white: what light is left at a pixel then says how many fragments are in the way, for `n` of them
 //! let `(1 - a)^n` through, in whatever order. Fewer than were drawn, and some were dropped or merged.
 
-use super::{Method, Renderer};
+use super::{Method, Renderer, allocate_maps};
 use crate::error::Result;
 use crate::fragment::Rgba;
 use crate::gl::{Context, Format, Geometry, GlMachine, capture};
@@ -91,9 +91,12 @@ fn submitted(context: &Context, scene: &Scene) -> Result<Vec<u32>> {
     let [width, height] = scene.size;
     let _visit = context.visit()?;
     let mut machine = GlMachine::new(context, scene.size)?;
-    machine.allocate(stage::IMAGE_COLOR, Format::Rgba8)?;
-    machine.allocate(OPAQUE_DEPTH, Format::Depth32FStencil8)?;
-    machine.target(stage::IMAGE, Some(stage::IMAGE_COLOR), Some(OPAQUE_DEPTH))?;
+    allocate_maps(
+        &mut machine,
+        &[&stage::RESOURCES],
+        Format::Rgba8,
+        Format::Depth32FStencil8,
+    )?;
     machine.set_geometry(Geometry::upload(context, scene, scene.size)?);
     machine.begin_frame();
     run(&OPAQUE_FIRST, &[], Variables::new(), &mut machine)?;

@@ -7,11 +7,11 @@
 //! Excludes: multisampling; depths at or beyond the far plane, which GL clips.
 
 use super::iteration_bound::iteration_bound;
-use super::{Algorithm, Composited, Drawn, Peeling, requirements};
+use super::{Algorithm, Composited, Drawn, Peeling, allocate_maps, requirements};
 use crate::error::Result;
 use crate::gl::{Format, GlMachine};
 use crate::papers::stage;
-use crate::papers::vasilakis_2013::{COPLANAR_PEELING, DEPTH_BUFFERS};
+use crate::papers::vasilakis_2013::{COPLANAR_PEELING, RESOURCES};
 use crate::scene::Scene;
 use crate::steps::{DepthUnits, Reason, Variables, run};
 
@@ -48,18 +48,7 @@ impl Algorithm for CoplanarDepthPeeling {
         if self.options.maximum_number_of_peels == 0 && !self.depth.has_float_depth() {
             self.bound = iteration_bound(machine)?;
         }
-        for map in DEPTH_BUFFERS {
-            machine.allocate(map, self.depth)?;
-        }
-        machine.allocate(stage::ACCUMULATED, self.color)?;
-        // The first pass of each layer draws depths alone.
-        machine.target(stage::PEEL, None, Some(DEPTH_BUFFERS[0]))?;
-        machine.target(
-            stage::ACCUMULATION,
-            Some(stage::ACCUMULATED),
-            Some(DEPTH_BUFFERS[0]),
-        )?;
-        machine.target(stage::COMPOSITE, Some(stage::IMAGE_COLOR), None)
+        allocate_maps(machine, &[&RESOURCES], self.color, self.depth)
     }
 
     fn draw(&mut self, machine: &mut GlMachine<'_>, scene: &Scene) -> Result<Drawn> {

@@ -9,13 +9,13 @@
 
 use super::depth_unit_0::DepthUnit0;
 use super::iteration_bound::iteration_bound;
-use super::{Algorithm, Composited, Drawn, Peeling, requirements};
+use super::{Algorithm, Composited, Drawn, Peeling, allocate_maps, requirements};
 use crate::error::{Error, Result};
 use crate::gl::{Format, GlMachine};
 use crate::papers::everitt_2001::{self, LISTING_1};
 use crate::papers::{stage, vtk};
 use crate::scene::Scene;
-use crate::steps::{Amendment, Call, DepthUnits, Machine, Map, Outcome, Reason, Variables, run};
+use crate::steps::{Amendment, Call, DepthUnits, Machine, Outcome, Reason, Variables, run};
 
 /// How layers become an image.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -95,8 +95,6 @@ pub(super) struct DepthPeeling {
     bound: f64,
 }
 
-const DEPTH_BUFFER: &str = "depth buffer";
-
 impl Algorithm for DepthPeeling {
     fn prepare(&mut self, machine: &mut GlMachine<'_>, _: &Scene) -> Result<()> {
         self.options.check()?;
@@ -104,19 +102,9 @@ impl Algorithm for DepthPeeling {
         if self.options.maximum_number_of_peels == 0 && self.may_get_stuck() {
             self.bound = iteration_bound(machine)?;
         }
-        machine.allocate(vtk::COLOR_BUFFER, self.color)?;
-        for number in [0, 1] {
-            machine.allocate(Map::numbered(DEPTH_BUFFER, number), self.depth)?;
-        }
-        machine.target(
-            stage::PEEL,
-            Some(vtk::COLOR_BUFFER),
-            Some(Map::numbered(DEPTH_BUFFER, 0)),
-        )?;
-        machine.target(stage::COMPOSITE, Some(stage::IMAGE_COLOR), None)?;
+        allocate_maps(machine, &[&vtk::PEELING], self.color, self.depth)?;
         if !self.options.keeps_layers() {
-            machine.allocate(stage::ACCUMULATED, self.color)?;
-            machine.target(stage::ACCUMULATION, Some(stage::ACCUMULATED), None)?;
+            allocate_maps(machine, &[&stage::ACCUMULATING], self.color, self.depth)?;
         }
         Ok(())
     }

@@ -9,7 +9,9 @@
 //!
 //! Excludes: multisampling; depths at or beyond the far plane, which GL clips.
 
-use super::{Algorithm, Composited, DepthPeelingOptions, Drawn, Peeling, requirements};
+use super::{
+    Algorithm, Composited, DepthPeelingOptions, Drawn, Peeling, allocate_maps, requirements,
+};
 use crate::error::Result;
 use crate::gl::{Format, GlMachine};
 use crate::papers::bavoil_2008::{self as bavoil, DUAL_DEPTH_PEELING};
@@ -56,20 +58,9 @@ impl Algorithm for DualDepthPeeling {
     fn prepare(&mut self, machine: &mut GlMachine<'_>, _: &Scene) -> Result<()> {
         self.options.check()?;
         requirements::check(machine.context().driver(), self.color)?;
-        for map in bavoil::DEPTHS {
-            machine.allocate(map, Format::Rg32F)?;
-        }
-        for map in [bavoil::FRONT_COLOR, bavoil::BACK_COLOR, bavoil::FARTHEST] {
-            machine.allocate(map, self.color)?;
-        }
-        let [depths, _] = bavoil::DEPTHS;
-        let culled = Some(stage::OPAQUE_DEPTH);
-        machine.target(bavoil::DEPTHS_ALONE, Some(depths), culled)?;
-        let peeled = [depths, bavoil::FRONT_COLOR, bavoil::FARTHEST];
-        machine.target_of(bavoil::PEELS, &peeled, culled)?;
-        machine.target(bavoil::BACK, Some(bavoil::BACK_COLOR), None)?;
-        machine.target(bavoil::DEPTH_TESTED, None, culled)?;
-        machine.target(stage::COMPOSITE, Some(stage::IMAGE_COLOR), None)
+        // Depths are kept as colours.
+        let depth = machine.format(stage::OPAQUE_DEPTH)?;
+        allocate_maps(machine, &[&bavoil::RESOURCES], self.color, depth)
     }
 
     fn draw(&mut self, machine: &mut GlMachine<'_>, scene: &Scene) -> Result<Drawn> {

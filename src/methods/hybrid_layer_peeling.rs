@@ -10,11 +10,10 @@
 
 use super::peeled::{Peeled, peeled};
 use super::sorting::sorted_meshes_front_to_back;
-use super::{Algorithm, Drawn};
+use super::{Algorithm, Drawn, allocate_maps};
 use crate::error::Result;
 use crate::gl::{Format, Geometry, GlMachine};
 use crate::papers::carr_2008::hybrid;
-use crate::papers::stage;
 use crate::scene::Scene;
 use crate::steps::run;
 
@@ -30,8 +29,7 @@ impl Algorithm for HybridLayerPeeling {
         let geometry = Geometry::upload_in_order(machine.context(), scene, machine.size(), &order)?;
         machine.set_geometry(geometry);
         self.options.prepare(machine)?;
-        hybrid::furnish(machine, self.color, self.depth)?;
-        machine.target(stage::COMPOSITE, Some(stage::IMAGE_COLOR), None)
+        allocate_maps(machine, &hybrid::RESOURCES, self.color, self.depth)
     }
 
     fn draw(&mut self, machine: &mut GlMachine<'_>, _: &Scene) -> Result<Drawn> {

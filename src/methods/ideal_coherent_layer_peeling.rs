@@ -6,13 +6,12 @@
 
 use super::peeled::{Peeled, peeled};
 use super::sorting::Sorting;
-use super::{Algorithm, Composited, Drawn};
+use super::{Algorithm, Composited, Drawn, allocate_maps};
 use crate::error::{Error, Result};
 use crate::gl::{Geometry, GlMachine};
 use crate::papers::carr_2008::ideal;
-use crate::papers::stage;
 use crate::scene::Scene;
-use crate::steps::run;
+use crate::steps::{Format, Resources, run};
 
 /// The extensions of which each makes a GPU ideal.
 pub(super) const NEEDS: &[&str] = &[FETCH, INTERLOCK];
@@ -86,12 +85,17 @@ impl Algorithm for IdealCoherentLayerPeeling {
         } else {
             &[]
         });
-        if self.by_images {
-            ideal::furnish_images(machine)?;
-        } else {
-            ideal::furnish(machine)?;
-        }
-        machine.target(stage::COMPOSITE, Some(stage::IMAGE_COLOR), None)
+        let resources: &[&Resources] = match self.by_images {
+            true => &[&ideal::RESOURCES, &ideal::NO_COLOR_RESOURCES],
+            false => &[&ideal::RESOURCES],
+        };
+        // They say their formats themselves.
+        allocate_maps(
+            machine,
+            resources,
+            Format::Rgba32F,
+            Format::Depth32FStencil8,
+        )
     }
 
     fn draw(&mut self, machine: &mut GlMachine<'_>, _: &Scene) -> Result<Drawn> {

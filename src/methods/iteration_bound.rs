@@ -1,20 +1,20 @@
 //! How many iterations a peeling loop can need: a guard for listings as printed, some of which never end.
 
+use super::allocate_maps;
 use crate::error::Result;
 use crate::gl::GlMachine;
 use crate::papers::stage;
-use crate::steps::{Format, Variables, run};
+use crate::steps::{Variables, run};
 
 /// One iteration for each surface of the deepest pixel, and one that finds nothing: every iteration of a right algorithm
 /// takes at least one surface from every pixel that has any left.
 pub(super) fn iteration_bound(machine: &mut GlMachine<'_>) -> Result<f64> {
     machine.begin_frame();
-    machine.allocate(stage::COMPLEXITY, Format::R32F)?;
-    machine.target_of(
-        stage::COUNTED,
-        &[stage::COMPLEXITY],
-        Some(stage::OPAQUE_DEPTH),
-    )?;
+    let (color, depth) = (
+        machine.format(stage::IMAGE_COLOR)?,
+        machine.format(stage::OPAQUE_DEPTH)?,
+    );
+    allocate_maps(machine, &[&stage::COUNTING], color, depth)?;
     run(&stage::OPAQUE_FIRST, &[], Variables::new(), machine)?;
     run(&stage::COUNT_AT_EACH_PIXEL, &[], Variables::new(), machine)?;
     let deepest = machine.read_counts(stage::COMPLEXITY)?.into_iter().max();

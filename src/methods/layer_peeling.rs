@@ -5,11 +5,10 @@
 //! draws twice, and composites *every* fragment at the depth that was found: ties stay in the order of submission.
 
 use super::peeled::{Peeled, peeled};
-use super::{Algorithm, Drawn};
+use super::{Algorithm, Drawn, allocate_maps};
 use crate::error::Result;
 use crate::gl::{Format, GlMachine};
 use crate::papers::carr_2008::hybrid;
-use crate::papers::stage;
 use crate::scene::Scene;
 use crate::steps::run;
 
@@ -29,8 +28,7 @@ pub(super) struct LayerPeeling {
 impl Algorithm for LayerPeeling {
     fn prepare(&mut self, machine: &mut GlMachine<'_>, _: &Scene) -> Result<()> {
         self.options.prepare(machine)?;
-        hybrid::furnish(machine, self.color, self.depth)?;
-        machine.target(stage::COMPOSITE, Some(stage::IMAGE_COLOR), None)
+        allocate_maps(machine, &hybrid::RESOURCES, self.color, self.depth)
     }
 
     fn draw(&mut self, machine: &mut GlMachine<'_>, _: &Scene) -> Result<Drawn> {

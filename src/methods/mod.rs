@@ -1,6 +1,7 @@
 //! The methods: one file each, which reads like its paper, and the renderer that runs them.
 
 mod a_buffer;
+mod allocate_maps;
 mod batches;
 mod blend;
 mod coherent_layer_peeling;
@@ -33,6 +34,8 @@ pub use a_buffer::{
     ABufferCounts, ABufferOptions, Band, Fill, Keep, LARGEST_NETWORK, Manager, RecordColor, Room,
     Sort, bands,
 };
+pub use allocate_maps::allocate_maps;
+pub use batches::begin_batch;
 pub use coherent_layer_peeling::{CoherentOptions, Variant};
 pub use complexity::{Bin, Complexity, CountBy};
 pub use coplanar_depth_peeling::CoplanarDepthPeelingOptions;

@@ -13,7 +13,8 @@ use super::ideal_coherent_layer_peeling::IdealCoherentLayerPeeling;
 use super::layer_peeling::LayerPeeling;
 use super::peeled::Peeled;
 use super::{
-    Algorithm, Composited, Drawn, Hanging, Method, Stats, blend, exact, inverse_w, painter, slicing,
+    Algorithm, Composited, Drawn, Hanging, Method, Stats, allocate_maps, blend, exact, inverse_w,
+    painter, slicing,
 };
 use crate::error::Result;
 use crate::gl::{Context, Format, Geometry, GlMachine};
@@ -205,13 +206,7 @@ impl<'c> Renderer<'c> {
     pub(super) fn set_up(&mut self, scene: &Scene) -> Result<()> {
         let machine = &mut self.machine;
         machine.free_every_map();
-        machine.allocate(stage::IMAGE_COLOR, self.color)?;
-        machine.allocate(stage::OPAQUE_DEPTH, self.depth)?;
-        machine.target(
-            stage::IMAGE,
-            Some(stage::IMAGE_COLOR),
-            Some(stage::OPAQUE_DEPTH),
-        )?;
+        allocate_maps(machine, &[&stage::RESOURCES], self.color, self.depth)?;
         machine.set_geometry(Geometry::upload(machine.context(), scene, machine.size())?);
         Ok(())
     }
@@ -408,8 +403,6 @@ impl<'c> Renderer<'c> {
 
     /// What belongs into the image, whatever the method has done: see [`stage::COUNT`]. Leaves the image as it is.
     fn count_fragments(&mut self, scene: &Scene) -> Result<u64> {
-        self.machine
-            .target(stage::DEPTH_ALONE, None, Some(stage::OPAQUE_DEPTH))?;
         self.begin(scene)?;
         run(
             &stage::COUNT,

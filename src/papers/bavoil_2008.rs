@@ -7,9 +7,21 @@
 //! third that nobody has drawn. OpenGL 4.0 blends each draw buffer in its own way, so here MAX is for the depths alone;
 //! colours of equal depth go under one another in the order of submission, and none is lost.
 
+use super::paper::Paper;
 use crate::papers::stage;
 use crate::steps;
-use crate::steps::{Dialect, Listing, Map, Query, Shader, Target, gl::*};
+use crate::steps::{
+    Dialect, Format, Framebuffer, Holds, Listing, Map, Query, Resources, Shader, Target, Text,
+    gl::*,
+};
+
+/// Its texts.
+pub const PAPER: Paper = Paper {
+    key: "bavoil",
+    citation: "Louis Bavoil and Kevin Myers, Order Independent Transparency with Dual Depth Peeling, NVIDIA 2008",
+    texts: &[("dual-peeling", Text::Listing(DUAL_DEPTH_PEELING, &[]))],
+    resources: &[&stage::RESOURCES, &RESOURCES],
+};
 
 /// The whole algorithm. Before it runs, `num_passes`, `occlusion_ratio` and `window_area` are set.
 pub const DUAL_DEPTH_PEELING: Listing = Listing {
@@ -156,7 +168,7 @@ pub const COUNT_FRAGMENTS_LEFT: Listing = Listing {
     steps: steps! {
         glActiveTexture(2);
         glBindTexture(DEPTHS_B);
-        glBindFramebuffer(DEPTH_TESTED);
+        glBindFramebuffer(stage::DEPTH_ALONE);
         glEnable(DEPTH_TEST);
         glDepthMask(false);
         glUseProgram(REST);
@@ -170,6 +182,28 @@ pub const COUNT_FRAGMENTS_LEFT: Listing = Listing {
 const CLEAR: [f32; 4] = [0.0; 4];
 /// What `NOTHING` is in glsl/common/dual.glsl.
 const NOTHING: [f32; 4] = [-2.0; 4];
+
+/// Its maps and framebuffers. The opaque depth culls in all but the back's.
+pub const RESOURCES: Resources = Resources {
+    maps: &[
+        (DEPTHS[0], Holds::Exactly(Format::Rg32F)),
+        (DEPTHS[1], Holds::Exactly(Format::Rg32F)),
+        (FRONT_COLOR, Holds::Colors),
+        (BACK_COLOR, Holds::Colors),
+        (FARTHEST, Holds::Colors),
+    ],
+    framebuffers: &[
+        Framebuffer::new(DEPTHS_ALONE, &[DEPTHS[0]], Some(stage::OPAQUE_DEPTH)),
+        Framebuffer::new(
+            PEELS,
+            &[DEPTHS[0], FRONT_COLOR, FARTHEST],
+            Some(stage::OPAQUE_DEPTH),
+        ),
+        Framebuffer::new(BACK, &[BACK_COLOR], None),
+    ],
+    variables: &["num_passes", "occlusion_ratio", "window_area"],
+    ..Resources::NONE
+};
 
 /// -nearest and farthest depth of what is left, before and after a peel.
 pub const DEPTHS: [Map; 2] = [DEPTHS_0, Map::numbered("depths", 1)];
@@ -185,8 +219,6 @@ pub const DEPTHS_ALONE: Target = Target("depths alone");
 pub const PEELS: Target = Target("dual peel");
 /// The back alone.
 pub const BACK: Target = Target("back");
-/// The opaque depth, and no colour.
-pub const DEPTH_TESTED: Target = Target("depth tested");
 /// Counts what [`COUNT_FRAGMENTS_LEFT`] has drawn.
 pub const FRAGMENTS_LEFT: Query = Query("fragments left");
 

@@ -9,9 +9,50 @@
 pub mod components;
 pub mod fused;
 
-use super::stage::{COMPLEXITY, COUNTED, ONE_EACH, OPAQUE_DEPTH};
+use super::paper::Paper;
+use super::stage::{self, COMPLEXITY, COUNTED, IMAGE_COLOR, ONE_EACH, OPAQUE_DEPTH};
 use crate::steps;
-use crate::steps::{Amendment, Dialect, Listing, Map, Query, Shader, Storage, Target, gl::*};
+use crate::steps::{
+    Amendment, Dialect, Format, Framebuffer, Holds, Listing, Map, Query, Resources, Shader,
+    Storage, Target, Text, gl::*,
+};
+
+/// Its texts.
+pub const PAPER: Paper = Paper {
+    key: "lindholm",
+    citation: "Stefan Lindholm, Martin Falk, Erik Sundén, Anders Ynnerman, Timo Ropinski, Hybrid Data Visualization \
+               Based on Depth Complexity Histogram Analysis, Computer Graphics Forum 2015",
+    texts: &[
+        ("complexity-image", Text::Listing(COMPLEXITY_IMAGE, &[])),
+        (
+            "clear-and-fill",
+            Text::Listing(CLEAR_AND_FILL, &[BEGIN_AT_OFFSETS, ORDERED]),
+        ),
+        ("resolve", Text::Listing(RESOLVE, &[])),
+        ("pp-ao", Text::Listing(PP_AO, &[BY_COUNTER, NO_STENCIL])),
+        (
+            "section-4",
+            Text::Lists(components::STATIC_ARRAY, &[components::KEEP_NEAREST]),
+        ),
+        (
+            "section-5.1",
+            Text::Lists(components::PP_AO, &[components::PP_AO_AMENDMENT]),
+        ),
+        (
+            "section-5.2",
+            Text::Lists(components::PP_DP, &components::PP_DP_AMENDMENTS),
+        ),
+        (
+            "section-6.1",
+            Text::Lists(fused::FUSED, &fused::FUSED_AMENDMENTS),
+        ),
+        (
+            "section-6.1-pp-dp",
+            Text::Lists(fused::PP_DP_ON_RAYS, &fused::FUSED_PP_DP),
+        ),
+    ],
+    resources: &[&stage::RESOURCES, &stage::COUNTING, &RESOURCES],
+};
 
 /// The depth complexity image: "all geometries are rendered into an integer image; the pixels of this image act as atomic
 /// counters". Shading and blending are disabled.
@@ -275,6 +316,24 @@ const AFTER_RESOLVE: Listing = Listing {
         glDisable(BLEND);
         glDepthMask(true);
     },
+};
+
+/// What its listings take for granted where lists are filled by atomics. Other fills attach other maps, for what is
+/// attached costs time.
+pub const RESOURCES: Resources = Resources {
+    maps: &[
+        (COUNTER, Holds::Exactly(Format::R32Ui)),
+        (ANCHOR, Holds::Exactly(Format::R32Ui)),
+        (COST, Holds::Exactly(Format::Rgba32Ui)),
+    ],
+    made: &[RAY_ENDS],
+    framebuffers: &[
+        Framebuffer::new(CLEARED, &[COUNTER, ANCHOR], Some(OPAQUE_DEPTH)),
+        Framebuffer::new(FILL, &[], Some(OPAQUE_DEPTH)),
+        Framebuffer::new(RESOLVED, &[IMAGE_COLOR, COST], Some(OPAQUE_DEPTH)),
+    ],
+    storages: &[RECORDS, NEXT, OFFSETS, POOL],
+    variables: &["N", "num_segments"],
 };
 
 /// One counter a pixel that the Fill Step counts up, from 0 or from the pixel's base offset.

@@ -5,8 +5,10 @@ pub mod carr_2008;
 pub mod everitt_2001;
 mod index;
 pub mod lindholm_2015;
+mod paper;
 pub mod stage;
 pub mod vasilakis_2013;
 pub mod vtk;
 
-pub use index::{Paper, papers};
+pub use index::{papers, texts};
+pub use paper::Paper;

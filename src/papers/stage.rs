@@ -5,7 +5,9 @@
 //! listings that count transparent fragments, unless a paper prints its own.
 
 use crate::steps;
-use crate::steps::{Dialect, Listing, Map, Query, Shader, Target, gl::*};
+use crate::steps::{
+    Dialect, Format, Framebuffer, Holds, Listing, Map, Query, Resources, Shader, Target, gl::*,
+};
 
 /// Opaque geometry comes first: its depth bounds what transparent geometry can be seen ("As we first render opaque
 /// geometry, we use it to cull transparent geometry", says VTK's page).
@@ -95,6 +97,31 @@ pub const COUNT_AT_EACH_PIXEL: Listing = Listing {
         glDisable(BLEND);
         glDepthMask(true);
     },
+};
+
+/// What every method finds.
+pub const RESOURCES: Resources = Resources {
+    maps: &[(IMAGE_COLOR, Holds::Colors), (OPAQUE_DEPTH, Holds::Depths)],
+    framebuffers: &[
+        Framebuffer::new(IMAGE, &[IMAGE_COLOR], Some(OPAQUE_DEPTH)),
+        Framebuffer::new(COMPOSITE, &[IMAGE_COLOR], None),
+        Framebuffer::new(DEPTH_ALONE, &[], Some(OPAQUE_DEPTH)),
+    ],
+    ..Resources::NONE
+};
+
+/// What accumulates layers front to back, and nothing else.
+pub const ACCUMULATING: Resources = Resources {
+    maps: &[(ACCUMULATED, Holds::Colors)],
+    framebuffers: &[Framebuffer::new(ACCUMULATION, &[ACCUMULATED], None)],
+    ..Resources::NONE
+};
+
+/// What [`COUNT_AT_EACH_PIXEL`] needs besides.
+pub const COUNTING: Resources = Resources {
+    maps: &[(COMPLEXITY, Holds::Exactly(Format::R32F))],
+    framebuffers: &[Framebuffer::new(COUNTED, &[COMPLEXITY], Some(OPAQUE_DEPTH))],
+    ..Resources::NONE
 };
 
 /// The finished image.

@@ -6,10 +6,21 @@
 //! of two depth units, unit 1 set to EQUAL. (The authors keep the fragments apart and sort them by primitive; blending
 //! takes them in the order of submission by itself, which is onionskin's policy for equal depths.)
 
-use crate::papers::everitt_2001::LISTING_1;
+use super::paper::Paper;
+use crate::papers::everitt_2001::listing_1::LISTING_1;
 use crate::papers::{stage, vtk};
 use crate::steps;
-use crate::steps::{Amendment, Dialect, Listing, Map, Query, Shader, gl::*};
+use crate::steps::{
+    Amendment, Dialect, Framebuffer, Holds, Listing, Query, Resources, Shader, Text, gl::*,
+};
+
+/// Its texts.
+pub const PAPER: Paper = Paper {
+    key: "vasilakis",
+    citation: "Andreas Vasilakis and Ioannis Fudos, Depth-Fighting Aware Methods for Multifragment Rendering, TVCG 2013",
+    texts: &[("coplanar-peeling", Text::Listing(COPLANAR_PEELING, &[]))],
+    resources: &[&stage::RESOURCES, &RESOURCES],
+};
 
 /// Listing 1 with every fragment of each depth. Before it runs, `num_passes` is set.
 pub const COPLANAR_PEELING: Listing = Listing {
@@ -61,11 +72,24 @@ pub const EVERY_FRAGMENT: Amendment = Amendment {
     test: "v3_coplanar_peeling_has_every_tie_in_the_order_of_submission",
 };
 
-/// The depths of the layers before this one and of this one.
-pub const DEPTH_BUFFERS: [Map; 2] = [
-    Map::numbered("depth buffer", 0),
-    Map::numbered("depth buffer", 1),
-];
+/// The first pass of each layer draws depths alone; the second is tested against them.
+pub const RESOURCES: Resources = Resources {
+    maps: &[
+        (stage::ACCUMULATED, Holds::Colors),
+        (vtk::DEPTH_BUFFERS[0], Holds::Depths),
+        (vtk::DEPTH_BUFFERS[1], Holds::Depths),
+    ],
+    framebuffers: &[
+        Framebuffer::new(stage::PEEL, &[], Some(vtk::DEPTH_BUFFERS[0])),
+        Framebuffer::new(
+            stage::ACCUMULATION,
+            &[stage::ACCUMULATED],
+            Some(vtk::DEPTH_BUFFERS[0]),
+        ),
+    ],
+    variables: &["num_passes"],
+    ..Resources::NONE
+};
 
 const COPLANAR: Shader = Shader("coplanar");
 const AT_THIS_DEPTH: Query = Query("at this depth");

@@ -8,13 +8,29 @@ mod requirements;
 
 pub use requirements::{ALPHA_BITS, REQUIRED_EXTENSIONS, missing_extensions};
 
-use crate::papers::everitt_2001::{self, COMPOSITE as BACK_TO_FRONT, LISTING_1};
+use super::paper::Paper;
+use crate::papers::everitt_2001::composite::{ALPHA, COMPOSITE as BACK_TO_FRONT, LAYER_I};
+use crate::papers::everitt_2001::listing_1::LISTING_1;
 use crate::papers::stage::{
-    ACCUMULATION, CLEAR_ACCUMULATION, COMPOSITE, LAYER, OPAQUE_DEPTH, OPAQUE_FIRST, OVER_OPAQUE,
-    PEEL, PEEL_SURFACE,
+    self, ACCUMULATION, CLEAR_ACCUMULATION, COMPOSITE, LAYER, OPAQUE_DEPTH, OPAQUE_FIRST,
+    OVER_OPAQUE, PEEL, PEEL_SURFACE,
 };
 use crate::steps;
-use crate::steps::{Amendment, Dialect, Listing, Map, Query, Shader, gl::*};
+use crate::steps::{
+    Amendment, Dialect, Framebuffer, Holds, Listing, Map, Query, Resources, Shader, Text, gl::*,
+};
+
+/// Its texts.
+pub const PAPER: Paper = Paper {
+    key: "vtk",
+    citation: "VTK wiki, Depth Peeling, 2006",
+    texts: &[
+        ("opaque-first", Text::Listing(OPAQUE_FIRST, &[])),
+        ("keep-layers", Text::Listing(KEEP_LAYERS, &[])),
+        ("on-the-fly", Text::Listing(ON_THE_FLY, &[])),
+    ],
+    resources: &[&stage::RESOURCES, &stage::ACCUMULATING, &PEELING],
+};
 
 /// Every layer is kept, then composited back to front ("Implementation notes").
 pub const KEEP_LAYERS: Listing = Listing {
@@ -28,7 +44,7 @@ pub const KEEP_LAYERS: Listing = Listing {
         composited = 0;
         run LISTING_1 amended by &[CULL_BY_OPAQUE, QUERY, KEEP_DEPTH];
         glBindFramebuffer(COMPOSITE);
-        run BACK_TO_FRONT amended by &[everitt_2001::ALPHA, ONLY_THE_LAYER, COUNT_THE_LAYER];
+        run BACK_TO_FRONT amended by &[ALPHA, ONLY_THE_LAYER, COUNT_THE_LAYER];
     },
 };
 
@@ -47,6 +63,23 @@ pub const ON_THE_FLY: Listing = Listing {
         run LISTING_1 amended by &[NO_CLEAR, CULL_BY_OPAQUE, QUERY, UNDER];
         run OVER_OPAQUE;
     },
+};
+
+/// The peels' own: colours and two depth buffers, and the layers if they are kept.
+pub const PEELING: Resources = Resources {
+    maps: &[
+        (COLOR_BUFFER, Holds::Colors),
+        (DEPTH_BUFFERS[0], Holds::Depths),
+        (DEPTH_BUFFERS[1], Holds::Depths),
+    ],
+    made: &[LAYER_I, LAYER_DEPTH_I],
+    framebuffers: &[Framebuffer::new(
+        PEEL,
+        &[COLOR_BUFFER],
+        Some(DEPTH_BUFFERS[0]),
+    )],
+    variables: &["num_passes", "occlusion_ratio", "window_area"],
+    ..Resources::NONE
 };
 
 /// What Listing 1 takes for granted: something to draw into, and a program.
@@ -167,7 +200,7 @@ pub const UNDER: Amendment = Amendment {
     test: "v06_both_ways_of_compositing_give_the_same_image",
 };
 
-/// To [`everitt_2001::COMPOSITE`]: a layer does not cover every pixel, and those it covers are counted.
+/// To [`COMPOSITE`](BACK_TO_FRONT): a layer does not cover every pixel, and those it covers are counted.
 pub const ONLY_THE_LAYER: Amendment = Amendment {
     key: "V06",
     place: "Putting It All Together, rendering each layer",
@@ -201,6 +234,11 @@ pub const COUNT_THE_LAYER: Amendment = Amendment {
 
 /// The color buffer of the peels.
 pub const COLOR_BUFFER: Map = Map::named("color buffer");
+/// The depths of the layers before this one and of this one.
+pub const DEPTH_BUFFERS: [Map; 2] = [
+    Map::numbered("depth buffer", 0),
+    Map::numbered("depth buffer", 1),
+];
 const DEPTH_BUFFER_B: Map = Map::at("depth buffer", "B");
 const LAYER_DEPTH_I: Map = Map::at("layer depth", "i");
 const OVER: Shader = Shader("over");

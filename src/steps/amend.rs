@@ -24,7 +24,15 @@ pub struct Amendment<S: 'static = Step> {
 pub trait Statement: PartialEq + Sized + 'static {
     /// What is inside: nothing, a body, or two branches.
     fn bodies(&self) -> [&'static [Self]; 2];
+
+    /// The statements of another text, and how they are amended, if this one runs it.
+    fn runs(&self) -> Option<Ran<Self>> {
+        None
+    }
 }
+
+/// The statements of a text that another one runs, and how they are amended there.
+pub type Ran<S> = (&'static [S], &'static [Amendment<S>]);
 
 impl<S: Statement> Amendment<S> {
     /// How often `statements` have what this amendment replaces, nested ones included. An amendment that is found nowhere

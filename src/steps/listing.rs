@@ -1,6 +1,6 @@
 //! The branches of a listing: what the papers write around the calls.
 
-use super::amend::{Amendment, Statement};
+use super::amend::{Amendment, Ran, Statement};
 use super::call::Call;
 use super::expr::{Condition, Expr};
 
@@ -102,6 +102,16 @@ impl Statement for Step {
                 then, otherwise, ..
             } => [then, otherwise],
             Self::Call(_) | Self::Let { .. } | Self::Stop { .. } | Self::Run { .. } => [&[], &[]],
+        }
+    }
+
+    fn runs(&self) -> Option<Ran<Self>> {
+        match *self {
+            Self::Run {
+                listing,
+                amendments,
+            } => Some((listing.steps, amendments)),
+            _ => None,
         }
     }
 }

@@ -24,6 +24,7 @@
 mod amend;
 mod argument;
 mod call;
+mod check;
 mod classic;
 mod classic_depth_units;
 mod constants;
@@ -39,11 +40,14 @@ mod macros;
 mod names;
 pub mod print;
 pub mod pseudo;
+mod resources;
+mod text;
 mod trace;
 mod walk;
 
-pub use amend::{Amendment, Met, Scope, Statement};
+pub use amend::{Amendment, Met, Ran, Scope, Statement};
 pub use call::{Call, ClassicCall};
+pub use check::{Known, check};
 pub use classic::{
     ClassicCapability, DepthTextureMode, MatrixMode, TexEnvName, TexEnvValue, TextureTarget,
 };
@@ -56,5 +60,7 @@ pub use format::Format;
 pub use free::free_variables;
 pub use listing::{Dialect, Listing, Reason, Step};
 pub use names::{Index, Map, Name, Number, Query, Shader, Storage, Target};
+pub use resources::{Framebuffer, Holds, Resources};
+pub use text::Text;
 pub use trace::Recorder;
 pub use walk::{Machine, Outcome, Workspace, run};

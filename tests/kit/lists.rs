@@ -1,8 +1,9 @@
 //! Every pixel's fragments, nearest first: captured from GL, sorted here.
 
 use onionskin::gl::{CapturedFragment, Context, Format, Geometry, GlMachine, capture};
+use onionskin::methods::allocate_maps;
 use onionskin::papers::stage;
-use onionskin::steps::{Map, Variables, run};
+use onionskin::steps::{Variables, run};
 use onionskin::{Result, Scene};
 
 /// The lists of an image.
@@ -66,15 +67,9 @@ pub fn captured(context: &Context, scene: &Scene, limit: u32) -> Result<Vec<Capt
 
 /// A machine that is ready to draw the scene into the target [`stage::IMAGE`].
 pub fn machine<'c>(context: &'c Context, scene: &Scene) -> GlMachine<'c> {
-    const IMAGE: Map = Map::named("image");
     let mut machine = GlMachine::new(context, scene.size).unwrap();
-    machine.allocate(IMAGE, Format::Rgba32F).unwrap();
-    machine
-        .allocate(stage::OPAQUE_DEPTH, Format::Depth32FStencil8)
-        .unwrap();
-    machine
-        .target(stage::IMAGE, Some(IMAGE), Some(stage::OPAQUE_DEPTH))
-        .unwrap();
+    let (color, depth) = (Format::Rgba32F, Format::Depth32FStencil8);
+    allocate_maps(&mut machine, &[&stage::RESOURCES], color, depth).unwrap();
     machine.set_geometry(Geometry::upload(context, scene, scene.size).unwrap());
     machine.begin_frame();
     machine

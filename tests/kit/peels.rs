@@ -2,12 +2,13 @@
 
 use onionskin::emulator::{AlgorithmRun, Emulator, Kind, Surface, run_algorithm};
 use onionskin::fragment::{Fragment, Rgba};
+use onionskin::methods::allocate_maps;
 use onionskin::oracle;
 use onionskin::papers::carr_2008::{coherent, hybrid, ideal};
 use onionskin::papers::stage;
 use onionskin::steps::pseudo::Line;
 use onionskin::steps::{
-    Amendment, Format, Listing, Machine, Map, Outcome, Variables, Workspace, run,
+    Amendment, Format, Listing, Machine, Map, Outcome, Resources, Variables, Workspace, run,
 };
 
 /// A pixel's surfaces in the order of submission.
@@ -57,23 +58,24 @@ impl Loop {
     }
 
     /// Gives a machine everything that the listing draws into.
-    pub fn furnish(self, workspace: &mut impl Workspace, color: Format, depth: Format) {
-        workspace.allocate(IMAGE, color).unwrap();
-        workspace.allocate(stage::OPAQUE_DEPTH, depth).unwrap();
-        workspace
-            .target_of(stage::IMAGE, &[IMAGE], Some(stage::OPAQUE_DEPTH))
-            .unwrap();
-        workspace
-            .target_of(stage::COMPOSITE, &[IMAGE], None)
-            .unwrap();
-        match self {
-            Self::LayerPeeling | Self::Hybrid => hybrid::furnish(workspace, color, depth).unwrap(),
-            Self::A => coherent::furnish(workspace, color, depth, None).unwrap(),
-            Self::B => coherent::furnish(workspace, color, depth, Some(color)).unwrap(),
-        }
+    pub fn allocate_maps(self, workspace: &mut impl Workspace, color: Format, depth: Format) {
+        let mut all = |resources: &[&Resources]| {
+            allocate_maps(
+                workspace,
+                &[&[&stage::RESOURCES], resources].concat(),
+                color,
+                depth,
+            )
+        };
+        let done = match self {
+            Self::LayerPeeling | Self::Hybrid => all(&hybrid::RESOURCES),
+            Self::A => all(&coherent::RESOURCES_A),
+            Self::B => all(&coherent::RESOURCES_B),
+        };
+        done.unwrap();
     }
 
-    /// Runs it on a furnished machine.
+    /// Runs it on a machine that has its maps.
     pub fn run(self, machine: &mut impl Machine, amendments: &[Amendment], limit: f64) -> Outcome {
         let variables = Variables::new().with("iteration_limit", limit);
         run(self.listing(), amendments, variables, machine).unwrap()
@@ -122,7 +124,7 @@ pub fn emulate_in(
     depth: Format,
 ) -> Emulated {
     let mut emulator = Emulator::new(pixels.to_vec());
-    which.furnish(&mut emulator, color, depth);
+    which.allocate_maps(&mut emulator, color, depth);
     let deepest = pixels.iter().map(Vec::len).max().unwrap_or(0);
     let outcome = which.run(&mut emulator, amendments, deepest as f64 + 2.0);
     Emulated { emulator, outcome }

@@ -183,7 +183,7 @@ fn a_query_on_pass_1_ends_a_sorted_scene_after_seven_passes() {
     ] {
         let run = |amendments: &[Amendment]| {
             let mut emulator = Emulator::new(sorted(30)).watching(0);
-            which.furnish(&mut emulator, Format::Rgba32F, Format::Depth32FStencil8);
+            which.allocate_maps(&mut emulator, Format::Rgba32F, Format::Depth32FStencil8);
             let outcome = which.run(&mut emulator, amendments, 10.0);
             assert_eq!(outcome.stopped, Some(Reason::EmptyLayer));
             Emulated { emulator, outcome }

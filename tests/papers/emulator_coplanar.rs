@@ -2,13 +2,14 @@
 //! anywhere or nowhere, is composited as the oracle lists it, ties included.
 
 use onionskin::emulator::Emulator;
+use onionskin::methods::allocate_maps;
 use onionskin::papers::stage;
-use onionskin::papers::vasilakis_2013::{COPLANAR_PEELING, DEPTH_BUFFERS};
+use onionskin::papers::vasilakis_2013::{COPLANAR_PEELING, RESOURCES};
 use onionskin::steps;
-use onionskin::steps::{Amendment, DepthUnits, Format, Reason, Variables, Workspace, gl::*, run};
+use onionskin::steps::{Amendment, DepthUnits, Format, Reason, Variables, gl::*, run};
 
 use crate::kit::changed::changed;
-use crate::kit::peels::{IMAGE, Pixel, bad, before, pixel};
+use crate::kit::peels::{Pixel, bad, before, pixel};
 
 const LEVELS: usize = 4;
 
@@ -36,24 +37,13 @@ fn cases() -> Vec<Pixel> {
 fn peel(pixels: &[Pixel], amendments: &[Amendment]) -> (usize, f64, Option<Reason>) {
     let mut emulator = Emulator::new(pixels.to_vec());
     let (color, depth) = (Format::Rgba32F, Format::Depth32FStencil8);
-    for map in [IMAGE, stage::ACCUMULATED] {
-        emulator.allocate(map, color).unwrap();
-    }
-    for map in [stage::OPAQUE_DEPTH, DEPTH_BUFFERS[0], DEPTH_BUFFERS[1]] {
-        emulator.allocate(map, depth).unwrap();
-    }
-    for (target, colors, depth) in [
-        (stage::IMAGE, &[IMAGE][..], Some(stage::OPAQUE_DEPTH)),
-        (stage::COMPOSITE, &[IMAGE], None),
-        (stage::PEEL, &[], Some(DEPTH_BUFFERS[0])),
-        (
-            stage::ACCUMULATION,
-            &[stage::ACCUMULATED],
-            Some(DEPTH_BUFFERS[0]),
-        ),
-    ] {
-        emulator.target_of(target, colors, depth).unwrap();
-    }
+    allocate_maps(
+        &mut emulator,
+        &[&stage::RESOURCES, &RESOURCES],
+        color,
+        depth,
+    )
+    .unwrap();
     // More than six depths are not there.
     let variables = Variables::new().with("num_passes", 9.0);
     let mut units = DepthUnits::new(&mut emulator);

@@ -2,6 +2,7 @@
 //! the passes find.
 
 use onionskin::emulator::{Draw, Emulator, Outcome::*};
+use onionskin::methods::begin_batch;
 use onionskin::papers::carr_2008::coherent::{
     self, CLEAN_STATE, COMPOSITE_HALF_OPEN, LOOP_A, NO_TESTS, RUN_HALF_OPEN,
 };
@@ -28,9 +29,9 @@ const FIGURE_2: [f32; 11] = {
 /// Figure 2's iteration: everything up to s4 has been peeled. The six passes' draws.
 fn figure_2(amendments: &[Amendment]) -> Vec<Draw> {
     let mut emulator = Emulator::new(vec![pixel(FIGURE_2)]).watching(0);
-    Loop::A.furnish(&mut emulator, Format::Rgba32F, Format::Depth32FStencil8);
+    Loop::A.allocate_maps(&mut emulator, Format::Rgba32F, Format::Depth32FStencil8);
     run(&stage::OPAQUE_FIRST, &[], Variables::new(), &mut emulator).unwrap();
-    coherent::begin_batch(&mut emulator, FIGURE_2[4], 1.0).unwrap();
+    begin_batch(&mut emulator, FIGURE_2[4], 1.0).unwrap();
     let variables = Variables::new().with("iteration_limit", 1.0);
     let draws_before = emulator.record().draws.len();
     run(&LOOP_A, amendments, variables, &mut emulator).unwrap();
@@ -215,7 +216,7 @@ fn in_range(depths: &[f32]) -> impl Fn(usize, [f32; 2]) -> Option<usize> {
 /// What the passes leave in the maps after one iteration.
 fn found(which: Loop, pixels: &[Pixel]) -> Vec<[f32; 3]> {
     let mut emulator = Emulator::new(pixels.to_vec());
-    which.furnish(&mut emulator, Format::Rgba32F, Format::Depth32FStencil8);
+    which.allocate_maps(&mut emulator, Format::Rgba32F, Format::Depth32FStencil8);
     which.run(&mut emulator, &which.amendments(), 1.0);
     let sn = emulator.depths(D_SN).unwrap();
     let post = emulator.depths(Z_MIN_POST).unwrap();

@@ -1,10 +1,8 @@
 //! The listings as data: printed like the paper's, unrolled into calls, lowered to one depth unit. No GL.
 
-use std::path::Path;
-
 use onionskin::papers::{everitt_2001, papers, vtk};
 use onionskin::steps::{
-    Amendment, Call, Compare, DepthUnits, Machine, Map, Objects, Query, Reason, Recorder,
+    Amendment, Call, Compare, DepthUnits, Machine, Map, Objects, Query, Reason, Recorder, Text,
     Variables, diff, free_variables, gl::*, print, run,
 };
 use onionskin::{Error, steps};
@@ -165,50 +163,6 @@ fn every_amendment_finds_what_it_replaces_exactly_once() {
 }
 
 #[test]
-fn every_amendment_names_a_test_that_exists() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests");
-    let folders = std::fs::read_dir(folder).unwrap();
-    let folders = folders.filter_map(|entry| std::fs::read_dir(entry.unwrap().path()).ok());
-    let tests: String = folders
-        .flatten()
-        .filter_map(|entry| std::fs::read_to_string(entry.unwrap().path()).ok())
-        .collect();
-    let mut amendments = Vec::new();
-    for (_, listing, beside) in papers().iter().flat_map(|paper| paper.listings) {
-        amendments.extend_from_slice(beside);
-        in_force(listing.steps, &mut amendments);
-    }
-    for (_, _, beside) in papers().iter().flat_map(|paper| paper.algorithms) {
-        for amendment in *beside {
-            let test = amendment.test;
-            assert!(tests.contains(&format!("fn {test}()")), "{test}");
-        }
-    }
-    assert!(amendments.contains(&vtk::UNDER) && amendments.contains(&vtk::COUNT_THE_LAYER));
-    for amendment in amendments {
-        assert!(
-            tests.contains(&format!("fn {}()", amendment.test)),
-            "{}",
-            amendment.test
-        );
-    }
-}
-
-/// The amendments with which `steps` run other listings.
-fn in_force(steps: &[steps::Step], found: &mut Vec<Amendment>) {
-    for step in steps {
-        if let steps::Step::Run {
-            listing,
-            amendments,
-        } = step
-        {
-            found.extend_from_slice(amendments);
-            in_force(listing.steps, found);
-        }
-    }
-}
-
-#[test]
 fn an_outer_amendment_reaches_into_the_listings_that_are_run() {
     const DROPPED: Amendment = changed(steps! { clear color buffer; }, steps! {});
     let mut recorder = Recorder::new().answering_every_query(1);
@@ -291,14 +245,17 @@ fn peel(
 fn with_its_free_variables_every_listing_runs() {
     let mut several = 0;
     for paper in papers() {
-        for (key, listing, amendments) in paper.listings {
-            for amendments in [&[][..], amendments] {
-                let free = free_variables(listing, amendments);
+        for (key, text) in paper.texts {
+            for text in [text.as_printed(), *text] {
+                let Text::Listing(listing, amendments) = text else {
+                    continue;
+                };
+                let free = free_variables(&listing, amendments);
                 several += free.len();
                 let given = Variables::new();
                 let given = free.iter().fold(given, |all, name| all.with(name, 2.0));
                 let mut recorder = Recorder::new().answering_every_query(1);
-                run(listing, amendments, given, &mut recorder)
+                run(&listing, amendments, given, &mut recorder)
                     .unwrap_or_else(|error| panic!("{}/{key}: {error}", paper.key));
             }
         }
@@ -308,9 +265,7 @@ fn with_its_free_variables_every_listing_runs() {
 
 #[test]
 fn without_a_free_variable_that_it_reads_a_listing_does_not_run() {
-    let paper = papers().iter().find(|paper| paper.key == "everitt");
-    let listings = paper.expect("the paper").listings;
-    let (_, listing, _) = listings.iter().find(|l| l.0 == "listing-1").expect("it");
+    let listing = &everitt_2001::LISTING_1;
     assert_eq!(free_variables(listing, &[]), ["num_passes"]);
     let mut recorder = Recorder::new().answering_every_query(1);
     assert!(run(listing, &[], Variables::new(), &mut recorder).is_err());

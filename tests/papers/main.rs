@@ -3,6 +3,8 @@
 #[path = "../kit/mod.rs"]
 mod kit;
 
+mod amendment_tests;
+mod check;
 mod emulator_carr_claims;
 mod emulator_carr_errata;
 mod emulator_coplanar;

@@ -3,14 +3,16 @@
 //! [`ALGORITHM_1`] is the printed pseudocode. [`HYBRID`] is what OpenGL runs: each `for all ... geometry` is a geometry
 //! pass, each `if` a depth test or a fragment shader that clips, `gChanged` an occlusion query.
 
-use super::*;
-use crate::error::Result;
+use super::shared::*;
 use crate::papers::stage::{
-    ACCUMULATED, ACCUMULATION, CLEAR_ACCUMULATION, OPAQUE_DEPTH, OPAQUE_FIRST, OVER_OPAQUE, PEEL,
+    self, ACCUMULATION, CLEAR_ACCUMULATION, OPAQUE_DEPTH, OPAQUE_FIRST, OVER_OPAQUE, PEEL,
 };
 use crate::pseudo;
+use crate::steps;
 use crate::steps::pseudo::{Algorithm, Line};
-use crate::steps::{Amendment, Format, Workspace};
+use crate::steps::{
+    Amendment, Dialect, Framebuffer, Holds, Listing, Map, Query, Resources, Shader, gl::*,
+};
 
 /// Algorithm 1, line by line.
 pub const ALGORITHM_1: Algorithm = Algorithm {
@@ -263,18 +265,16 @@ pub const AMENDMENTS: [Amendment; 3] = [
     },
 ];
 
-/// Gives [`HYBRID`] and [`LAYER_PEELING`] their maps.
-///
-/// # Errors
-/// If there is no room.
-pub fn furnish(workspace: &mut impl Workspace, color: Format, depth: Format) -> Result<()> {
-    workspace.allocate(ACCUMULATED, color)?;
-    for map in [Z_PEEL, Z_PEEL_NEXT] {
-        workspace.allocate(map, depth)?;
-    }
-    workspace.target_of(ACCUMULATION, &[ACCUMULATED], None)?;
-    workspace.target_of(PEEL, &[], Some(Z_PEEL))
-}
+/// What [`HYBRID`] and [`LAYER_PEELING`] take for granted.
+pub const RESOURCES: [&Resources; 2] = [
+    &stage::ACCUMULATING,
+    &Resources {
+        maps: &[(Z_PEEL, Holds::Depths), (Z_PEEL_NEXT, Holds::Depths)],
+        framebuffers: &[Framebuffer::new(PEEL, &[], Some(Z_PEEL))],
+        variables: &["iteration_limit"],
+        ..Resources::NONE
+    },
+];
 
 /// The depth of the last peel.
 pub const Z_PEEL: Map = Map::named("zPeel");

@@ -4,12 +4,14 @@
 //! [`ALGORITHM_2`] is the printed pseudocode. [`IDEAL`] is what OpenGL runs where its fragment shaders can read the
 //! framebuffer in order: the shaders of `glsl/ideal/` are its lines 7 to 12, 13 to 34 and 36 to 40.
 
-use super::*;
-use crate::error::Result;
 use crate::papers::stage::{ACCUMULATED, OPAQUE_DEPTH, OPAQUE_FIRST, OVER_OPAQUE, PEEL};
 use crate::pseudo;
+use crate::steps;
 use crate::steps::pseudo::{Algorithm, Line};
-use crate::steps::{Amendment, Format, Workspace};
+use crate::steps::{
+    Amendment, Dialect, Format, Framebuffer, Holds, Listing, Map, Query, Resources, Shader, Target,
+    gl::*,
+};
 
 /// Algorithm 2, line by line.
 pub const ALGORITHM_2: Algorithm = Algorithm {
@@ -278,27 +280,24 @@ const UNUSED_DEPTH: Map = Map::named("unused depth");
 
 /// `z1`, `z2`, `z3` and `zPostFlag`.
 pub const DEPTHS: Map = Map::named("z1 z2 z3 zPostFlag");
-/// Gives the listing its maps: [`DEPTHS`], the image and [`Z_PEEL`], in 32-bit floats, for depths need them.
-///
-/// # Errors
-/// If there is no room.
-pub fn furnish(workspace: &mut impl Workspace) -> Result<()> {
-    let maps = [DEPTHS, ACCUMULATED, Z_PEEL];
-    for map in maps {
-        workspace.allocate(map, Format::Rgba32F)?;
-    }
-    workspace.target_of(PEEL, &maps, None)
-}
+/// What the listing takes for granted, in 32-bit floats, for depths need them.
+pub const RESOURCES: Resources = Resources {
+    maps: &[
+        (DEPTHS, Holds::Exactly(Format::Rgba32F)),
+        (ACCUMULATED, Holds::Exactly(Format::Rgba32F)),
+        (Z_PEEL, Holds::Exactly(Format::Rgba32F)),
+    ],
+    framebuffers: &[Framebuffer::new(PEEL, &[DEPTHS, ACCUMULATED, Z_PEEL], None)],
+    variables: &["iteration_limit"],
+    ..Resources::NONE
+};
 
-/// The same for [`BY_IMAGES`].
-///
-/// # Errors
-/// If there is no room.
-pub fn furnish_images(workspace: &mut impl Workspace) -> Result<()> {
-    furnish(workspace)?;
-    workspace.allocate(UNUSED_DEPTH, Format::Depth32FStencil8)?;
-    workspace.target_of(NO_COLORS, &[], Some(UNUSED_DEPTH))
-}
+/// What [`BY_IMAGES`] needs besides.
+pub const NO_COLOR_RESOURCES: Resources = Resources {
+    maps: &[(UNUSED_DEPTH, Holds::Exactly(Format::Depth32FStencil8))],
+    framebuffers: &[Framebuffer::new(NO_COLORS, &[], Some(UNUSED_DEPTH))],
+    ..Resources::NONE
+};
 
 /// The depth up to which everything has been composited.
 pub const Z_PEEL: Map = Map::named("zPeel");

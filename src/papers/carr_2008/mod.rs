@@ -18,47 +18,65 @@ pub mod coherent;
 pub mod hybrid;
 pub mod ideal;
 pub mod passes;
+mod shared;
 
-use crate::steps;
-use crate::steps::{Dialect, Listing, Map, Query, Shader, Target, gl::*};
+pub use shared::*;
 
-/// The depth up to which everything has been composited.
-pub const D_SC: Map = Map::named("D(sc)");
-/// The depth of the first surface behind it.
-pub const D_SN: Map = Map::named("D(sn)");
-/// The nearest depth among the out-of-order surfaces that precede `s_n`.
-pub const Z_MIN_PREV: Map = Map::named("z_min_prev");
-/// The nearest depth among those that follow it.
-pub const Z_MIN_POST: Map = Map::named("z_min_post");
-/// The depth and stencil buffer that the passes work in.
-pub const DEPTH_BUFFER: Map = Map::named("depth buffer");
+use super::paper::Paper;
+use super::stage;
+use crate::steps::Text;
 
-/// `D(sc)`, to be written.
-pub const BOUND: Target = Target("D(sc)");
-
-/// Surfaces in (lower, upper).
-pub const OPEN_OPEN: Shader = Shader("clip/open_open");
-/// Surfaces in (lower, upper].
-pub const OPEN_CLOSED: Shader = Shader("clip/open_closed");
-/// Surfaces in [lower, upper).
-pub const CLOSED_OPEN: Shader = Shader("clip/closed_open");
-/// Surfaces in [lower, upper].
-pub const CLOSED_CLOSED: Shader = Shader("clip/closed_closed");
-/// Surfaces at the upper bound, unless that is the opaque depth.
-pub const AT_BOUND: Shader = Shader("clip/at_bound");
-/// Surfaces at the upper bound.
-pub const AT_BOUND_AS_PRINTED: Shader = Shader("clip/at_bound_as_printed");
-
-/// Surfaces that a compositing pass has put into the image.
-pub const COMPOSITED: Query = Query("composited");
-
-/// What front-to-back compositing is on OpenGL: each surface goes under those before it. The colours are premultiplied.
-pub const UNDER: Listing = Listing {
-    title: "A standard compositing pass, front to back",
-    source: "Carr et al. 2008, section 5.2",
-    dialect: Dialect::Calls,
-    steps: steps! {
-        glEnable(BLEND);
-        glBlendFuncSeparate(ONE_MINUS_DST_ALPHA, ONE, ONE_MINUS_DST_ALPHA, ONE);
-    },
+/// Its texts.
+pub const PAPER: Paper = Paper {
+    key: "carr",
+    citation: "Nathan Carr, Radomír Měch, Gavin Miller, Coherent Layer Peeling for Transparent \
+               High-Depth-Complexity Scenes, Graphics Hardware 2008",
+    texts: &[
+        ("pass-1", Text::Listing(passes::PASS_1, &[])),
+        ("pass-2", Text::Listing(passes::PASS_2, &[])),
+        ("pass-3", Text::Listing(passes::PASS_3, &[])),
+        ("pass-4", Text::Listing(passes::PASS_4, &[])),
+        (
+            "pass-5",
+            Text::Listing(coherent::PASS_5, &[coherent::NO_TESTS]),
+        ),
+        (
+            "pass-6",
+            Text::Listing(coherent::PASS_6, &[coherent::BEFORE_OPAQUE]),
+        ),
+        (
+            "section-6",
+            Text::Listing(passes::SECTION_6, &[coherent::MOVE_DEPTH]),
+        ),
+        (
+            "coherent-a",
+            Text::Listing(coherent::VARIANT_A, &coherent::AMENDMENTS),
+        ),
+        (
+            "coherent-b",
+            Text::Listing(coherent::VARIANT_B, &coherent::AMENDMENTS),
+        ),
+        (
+            "layer-peeling",
+            Text::Listing(hybrid::LAYER_PEELING, &hybrid::AMENDMENTS),
+        ),
+        ("hybrid", Text::Listing(hybrid::HYBRID, &hybrid::AMENDMENTS)),
+        ("ideal", Text::Listing(ideal::IDEAL, &ideal::AMENDMENTS)),
+        (
+            "algorithm-1",
+            Text::Pseudocode(hybrid::ALGORITHM_1, &hybrid::AMENDMENTS_1),
+        ),
+        (
+            "algorithm-2",
+            Text::Pseudocode(ideal::ALGORITHM_2, &ideal::AMENDMENTS_2),
+        ),
+    ],
+    resources: &[
+        &stage::RESOURCES,
+        hybrid::RESOURCES[0],
+        hybrid::RESOURCES[1],
+        &ideal::RESOURCES,
+        coherent::RESOURCES_B[0],
+        coherent::RESOURCES_B[1],
+    ],
 };

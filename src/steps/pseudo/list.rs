@@ -6,7 +6,7 @@
 use std::fmt;
 
 use super::Algorithm;
-use crate::steps::{Amendment, Met, Scope, Statement};
+use crate::steps::{Amendment, Met, Ran, Scope, Statement};
 
 /// One statement.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -86,6 +86,13 @@ impl Statement for Line {
             | Self::Repeat(body) => [body, &[]],
             Self::If(_, then, otherwise) => [then, otherwise],
             _ => [&[], &[]],
+        }
+    }
+
+    fn runs(&self) -> Option<Ran<Self>> {
+        match *self {
+            Self::Run(algorithm, amendments) => Some((algorithm.lines, amendments)),
+            _ => None,
         }
     }
 }

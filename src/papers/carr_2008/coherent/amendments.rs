@@ -1,8 +1,12 @@
 //! What stands beside sections 5 and 6: corrections, then improvements. Keys X1 to X28 number what was found when the
 //! text was executed.
 
-use super::*;
-use crate::steps::Amendment;
+use super::loops::*;
+use crate::papers::carr_2008::passes::{PASS_1, SECTION_6};
+use crate::papers::carr_2008::shared::*;
+use crate::papers::stage::{OPAQUE_DEPTH, PEEL};
+use crate::steps;
+use crate::steps::{Amendment, gl::*};
 
 /// Everything that makes the text right, in the paper's order.
 pub const AMENDMENTS: [Amendment; 10] = [

@@ -1,0 +1,38 @@
+//! "Putting It All Together", where the paper gives compositing in a sentence.
+
+use crate::papers::stage::LAYER;
+use crate::steps;
+use crate::steps::{Amendment, Dialect, Listing, Map, gl::*};
+
+/// "Putting It All Together": the layers as viewport-sized textured quads, back to front.
+pub const COMPOSITE: Listing = Listing {
+    title: "The layers, back to front, as viewport-sized textured quads",
+    source: "Everitt 2001, Putting It All Together",
+    dialect: Dialect::Calls,
+    steps: steps! {
+        glDisable(DEPTH_TEST);
+        glEnable(BLEND);
+        glBlendFunc(SRC_ALPHA, ONE_MINUS_SRC_ALPHA);
+        glUseProgram(LAYER);
+        glActiveTexture(2);
+        for (i in num_layers..0) {
+            glBindTexture(LAYER_I);
+            drawScreen();
+        }
+        glDisable(BLEND);
+    },
+};
+
+/// The printed blend function also blends alpha by alpha: over an opaque background the image's own alpha becomes
+/// `a² + 1 - a`, less than 1 wherever there is a layer. On a screen nobody sees it; in a file everybody does.
+pub const ALPHA: Amendment = Amendment {
+    key: "E12",
+    place: "Putting It All Together, the blending function",
+    printed: steps! { glBlendFunc(SRC_ALPHA, ONE_MINUS_SRC_ALPHA); },
+    amended: steps! { glBlendFuncSeparate(SRC_ALPHA, ONE_MINUS_SRC_ALPHA, ONE, ONE_MINUS_SRC_ALPHA); },
+    why: "alpha is covered by alpha, not by its square",
+    test: "e12_the_printed_blend_function_leaves_an_opaque_image_translucent",
+};
+
+/// A layer that was kept.
+pub const LAYER_I: Map = Map::at("layer", "i");

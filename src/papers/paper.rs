@@ -1,0 +1,16 @@
+//! What is kept of a paper.
+
+use crate::steps::{Resources, Text};
+
+/// A paper and its texts.
+#[derive(Clone, Copy, Debug)]
+pub struct Paper {
+    /// The name on the command line.
+    pub key: &'static str,
+    /// Authors, year and title.
+    pub citation: &'static str,
+    /// What it prints, each text under its name on the command line.
+    pub texts: &'static [(&'static str, Text)],
+    /// What its listings take for granted.
+    pub resources: &'static [&'static Resources],
+}

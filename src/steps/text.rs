@@ -1,0 +1,82 @@
+//! One printed text, whichever way its paper writes it, and what stands beside it.
+
+use super::amend::{Amendment, Statement};
+use super::listing::Listing;
+use super::print;
+use super::pseudo::{self, Algorithm, list};
+
+/// What a paper prints under one title, with the amendments that make it right.
+#[derive(Clone, Copy, Debug)]
+pub enum Text {
+    /// A listing of calls.
+    Listing(Listing, &'static [Amendment]),
+    /// Pseudocode on fragments as they are rasterised.
+    Pseudocode(Algorithm, &'static [Amendment<pseudo::Line>]),
+    /// Pseudocode on lists of fragments.
+    Lists(Algorithm<list::Line>, &'static [Amendment<list::Line>]),
+}
+
+impl Text {
+    /// What it does, in a line.
+    pub const fn title(&self) -> &'static str {
+        match self {
+            Self::Listing(listing, _) => listing.title,
+            Self::Pseudocode(algorithm, _) => algorithm.title,
+            Self::Lists(algorithm, _) => algorithm.title,
+        }
+    }
+
+    /// Where it is printed: paper, section, listing.
+    pub const fn source(&self) -> &'static str {
+        match self {
+            Self::Listing(listing, _) => listing.source,
+            Self::Pseudocode(algorithm, _) => algorithm.source,
+            Self::Lists(algorithm, _) => algorithm.source,
+        }
+    }
+
+    /// The same text without its amendments.
+    #[must_use]
+    pub const fn as_printed(self) -> Self {
+        match self {
+            Self::Listing(listing, _) => Self::Listing(listing, &[]),
+            Self::Pseudocode(algorithm, _) => Self::Pseudocode(algorithm, &[]),
+            Self::Lists(algorithm, _) => Self::Lists(algorithm, &[]),
+        }
+    }
+
+    /// The text the way its paper writes it, with its amendments in place.
+    pub fn print(&self) -> String {
+        match self {
+            Self::Listing(listing, amendments) => print::listing(listing, amendments),
+            Self::Pseudocode(algorithm, amendments) => pseudo::print(algorithm, amendments),
+            Self::Lists(algorithm, amendments) => list::print(algorithm, amendments),
+        }
+    }
+
+    /// For each of its amendments, and for each amendment with which it runs other texts, the test that fails without it.
+    pub fn tests(&self) -> Vec<&'static str> {
+        match self {
+            Self::Listing(listing, amendments) => tests(listing.steps, amendments),
+            Self::Pseudocode(algorithm, amendments) => tests(algorithm.lines, amendments),
+            Self::Lists(algorithm, amendments) => tests(algorithm.lines, amendments),
+        }
+    }
+}
+
+fn tests<S: Statement>(statements: &[S], amendments: &[Amendment<S>]) -> Vec<&'static str> {
+    let mut found = Vec::new();
+    for amendment in amendments {
+        found.push(amendment.test);
+        found.extend(tests(amendment.amended, &[]));
+    }
+    for statement in statements {
+        if let Some((statements, amendments)) = statement.runs() {
+            found.extend(tests(statements, amendments));
+        }
+        for body in statement.bodies() {
+            found.extend(tests(body, &[]));
+        }
+    }
+    found
+}
