@@ -40,7 +40,7 @@ fn c07_to_c10_figure_2_on_opengl() {
     .scene();
     let mut gl = GlMachine::new(&context, scene.size).unwrap();
     let (color, depth) = (Format::Rgba32F, Format::Depth32FStencil8);
-    peels::Loop::A.furnish(&mut gl, color, depth);
+    peels::Loop::A.allocate_maps(&mut gl, color, depth);
     gl.set_geometry(Geometry::upload(&context, &scene, scene.size).unwrap());
     gl.begin_frame();
     let mut pixels = lockstep::surfaces(&mut gl, &scene, peels::IMAGE);
@@ -50,7 +50,7 @@ fn c07_to_c10_figure_2_on_opengl() {
     }
     let s4 = pixels[0][4].fragment.depth;
     let mut emulator = Emulator::new(pixels.clone()).watching(0);
-    peels::Loop::A.furnish(&mut emulator, color, depth);
+    peels::Loop::A.allocate_maps(&mut emulator, color, depth);
     gl.begin_frame();
     let maps = [DEPTH_BUFFER, D_SC, D_SN, Z_MIN_PREV, Z_MIN_POST];
     let mut both = lockstep::LockStep {

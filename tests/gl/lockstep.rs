@@ -79,12 +79,12 @@ fn in_lock_step(
 ) -> usize {
     let scene = scene_of(stack, which);
     let mut gl = GlMachine::new(context, scene.size).unwrap();
-    which.furnish(&mut gl, color, depth);
+    which.allocate_maps(&mut gl, color, depth);
     gl.set_geometry(Geometry::upload(context, &scene, scene.size).unwrap());
     gl.begin_frame();
     let pixels = surfaces(&mut gl, &scene, peels::IMAGE);
     let mut emulator = Emulator::new(pixels.clone());
-    which.furnish(&mut emulator, color, depth);
+    which.allocate_maps(&mut emulator, color, depth);
     gl.begin_frame();
     let depths = [
         DEPTH_BUFFER,
@@ -246,14 +246,14 @@ fn one_fragment_off_by_its_last_bit_would_be_noticed() {
     };
     let scene = stack.scene();
     let mut gl = GlMachine::new(&context, scene.size).unwrap();
-    Loop::A.furnish(&mut gl, F32, D32F);
+    Loop::A.allocate_maps(&mut gl, F32, D32F);
     gl.set_geometry(Geometry::upload(&context, &scene, scene.size).unwrap());
     gl.begin_frame();
     let mut pixels = surfaces(&mut gl, &scene, peels::IMAGE);
     let depth = &mut pixels[0][0].fragment.depth;
     *depth = depth.next_up();
     let mut emulator = Emulator::new(pixels);
-    Loop::A.furnish(&mut emulator, F32, D32F);
+    Loop::A.allocate_maps(&mut emulator, F32, D32F);
     gl.begin_frame();
     let mut both = LockStep {
         gl: &mut gl,
@@ -290,12 +290,12 @@ fn stencil_operations_agree_one_by_one() {
         let [sfail, dpfail, dppass] = std::array::from_fn(|i| amendment[(i + 3 - place) % 3]);
         let scene = stack.scene();
         let mut gl = GlMachine::new(&context, scene.size).unwrap();
-        Loop::A.furnish(&mut gl, F32, D32F);
+        Loop::A.allocate_maps(&mut gl, F32, D32F);
         gl.set_geometry(Geometry::upload(&context, &scene, scene.size).unwrap());
         gl.begin_frame();
         let pixels = surfaces(&mut gl, &scene, peels::IMAGE);
         let mut emulator = Emulator::new(pixels.clone());
-        Loop::A.furnish(&mut emulator, F32, D32F);
+        Loop::A.allocate_maps(&mut emulator, F32, D32F);
         gl.begin_frame();
         let mut both = LockStep {
             gl: &mut gl,

@@ -7,6 +7,7 @@ mod a_buffer;
 mod a_buffer_bands;
 mod a_buffer_kept;
 mod accumulation;
+mod amendment_tests;
 mod camera_path;
 mod claims_carr;
 mod claims_carr_options;

@@ -1,0 +1,85 @@
+//! Every amendment names a test that exists.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::Path;
+
+use onionskin::papers::papers;
+
+use crate::kit::amendment_tests::{IN_GL, compiled};
+
+#[test]
+fn every_amendment_names_a_test_that_is_compiled() {
+    let existing = existing();
+    let missing: Vec<_> = named()
+        .into_iter()
+        .filter(|name| !existing.contains(name))
+        .collect();
+    assert!(missing.is_empty(), "no such tests: {missing:?}");
+    assert!(!existing.contains("no_such_test"));
+}
+
+/// The amendments are read from the sources, for some stand in no text: improvements, and those that methods choose. The
+/// data themselves say whether the reading finds them.
+#[test]
+fn every_amendment_of_every_text_is_among_those_that_are_held_against_the_tests() {
+    let named = named();
+    let of_texts: Vec<_> = papers()
+        .iter()
+        .flat_map(|paper| paper.texts)
+        .flat_map(|(_, text)| text.tests())
+        .collect();
+    for test in &of_texts {
+        assert!(named.contains(*test), "{test}");
+    }
+    // Of every kind of text, and of what texts run.
+    for test in [
+        "v06_both_ways_of_compositing_give_the_same_image",
+        "x22_pixels_that_are_done_composite_their_last_layer_again",
+        "l13_what_lies_at_depth_0_is_skipped_as_printed",
+        "every_pixel_of_a_layer_is_counted_once",
+        "l16_without_the_opaque_surface_a_ray_goes_on_behind_it",
+    ] {
+        assert!(of_texts.contains(&test), "{test}");
+    }
+}
+
+#[test]
+fn no_amendment_is_said_to_need_a_test_that_none_names() {
+    let named = named();
+    let idle: Vec<_> = IN_GL
+        .iter()
+        .filter(|name| !named.contains(**name))
+        .collect();
+    assert!(idle.is_empty(), "{idle:?}");
+}
+
+fn existing() -> BTreeSet<String> {
+    let in_gl = IN_GL.iter().map(|&name| name.to_owned());
+    compiled().into_iter().chain(in_gl).collect()
+}
+
+/// The tests that the amendments in the sources name.
+fn named() -> BTreeSet<String> {
+    let mut found = BTreeSet::new();
+    collect(
+        &Path::new(env!("CARGO_MANIFEST_DIR")).join("src"),
+        &mut found,
+    );
+    assert!(found.len() > 40, "{}", found.len());
+    found
+}
+
+fn collect(folder: &Path, found: &mut BTreeSet<String>) {
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            collect(&path, found);
+            continue;
+        }
+        let text = fs::read_to_string(&path).unwrap();
+        let lines = text.lines().map(str::trim);
+        let names = lines.filter_map(|line| line.strip_prefix("test: \"")?.strip_suffix("\","));
+        found.extend(names.map(str::to_owned));
+    }
+}
