@@ -3,6 +3,7 @@
 mod pixel;
 mod ray;
 
+pub use pixel::Resolved;
 use pixel::{Peel, Pixel};
 use ray::Ray;
 pub use ray::{RayEvent, RayHappening, RayRun, RayScene, RayVolume};
@@ -20,21 +21,6 @@ pub struct ListRun {
     pub pixels: Vec<Resolved>,
     /// Whether every `repeat` ended by itself; otherwise it was left after the limit.
     pub ended: bool,
-}
-
-/// What became of a pixel.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Resolved {
-    /// The fragments in the order in which they were composited, by their order of submission.
-    pub composited: Vec<u32>,
-    /// How often the pixel was resolved.
-    pub times: u32,
-    /// How often its list was walked.
-    pub subpasses: u32,
-    /// How many records of it were read.
-    pub records_read: u32,
-    /// Elements of the Local Arrays that were there for it, and how many of them held a fragment at some time.
-    pub slots: [u32; 2],
 }
 
 /// ppAO's first complexity segment.

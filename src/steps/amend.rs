@@ -1,11 +1,9 @@
 //! Amendments: what stands beside a listing where it is wrong, or where a later text builds on it.
 
-use super::listing::Step;
-
 /// The smallest change that makes a printed listing right, or that adds what another text adds. Of a listing by default,
 /// of an algorithm in pseudocode if its statements are [`Line`](super::pseudo::Line)s.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Amendment<S: 'static = Step> {
+pub struct Amendment<S: 'static> {
     /// A short name: the claim's or the erratum's key.
     pub key: &'static str,
     /// Where the change is made, in the paper's words.
@@ -49,7 +47,7 @@ impl<S: Statement> Amendment<S> {
 
 /// The amendments in force: those of the text that is walked, then those of the text that runs it, and so on.
 #[derive(Debug)]
-pub struct Scope<'a, S: 'static = Step> {
+pub struct Scope<'a, S: 'static> {
     amendments: &'a [Amendment<S>],
     outer: Option<&'a Scope<'a, S>>,
 }

@@ -6,10 +6,10 @@
 use std::collections::BTreeSet;
 use std::fmt;
 
-use super::amend::{Amendment, Met, Scope};
+use super::amend::{Met, Scope};
 use super::call::Call;
 use super::expr::{Condition, Expr};
-use super::listing::{Listing, Step};
+use super::listing::{Amendment, Listing, Step};
 use super::names::{Index, Map, Name, Query};
 use super::resources::Resources;
 use crate::error::{Error, Result, did_you_mean};
@@ -95,7 +95,7 @@ struct Found {
 }
 
 impl Found {
-    fn steps(&mut self, steps: &'static [Step], scope: Scope<'_>) {
+    fn steps(&mut self, steps: &'static [Step], scope: Scope<'_, Step>) {
         for met in scope.walk(steps) {
             if let Met::Statement(step, scope) = met {
                 self.step(step, scope);
@@ -103,7 +103,7 @@ impl Found {
         }
     }
 
-    fn step(&mut self, step: &Step, scope: Scope<'_>) {
+    fn step(&mut self, step: &Step, scope: Scope<'_, Step>) {
         match *step {
             Step::Call(call) => self.call(&call),
             Step::DepthUnit { body, .. } => self.steps(body, scope),

@@ -2,9 +2,9 @@
 
 use std::collections::BTreeSet;
 
-use super::amend::Amendment;
 use super::call::Call;
 use super::expr::{Condition, Expr};
+use super::listing::Amendment;
 use super::listing::{Listing, Step};
 use super::names::Name;
 

@@ -1,8 +1,11 @@
 //! The branches of a listing: what the papers write around the calls.
 
-use super::amend::{Amendment, Ran, Statement};
+use super::amend::{self, Ran, Statement};
 use super::call::Call;
 use super::expr::{Condition, Expr};
+
+/// An amendment: of a listing, unless it says of what.
+pub type Amendment<S = Step> = amend::Amendment<S>;
 
 /// A listing as its paper prints it.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -45,7 +45,7 @@ mod text;
 mod trace;
 mod walk;
 
-pub use amend::{Amendment, Met, Ran, Scope, Statement};
+pub use amend::{Met, Ran, Scope, Statement};
 pub use call::{Call, ClassicCall};
 pub use check::{Known, check};
 pub use classic::{
@@ -58,7 +58,7 @@ pub use diff::diff;
 pub use expr::{Condition, Expr, Variables};
 pub use format::Format;
 pub use free::free_variables;
-pub use listing::{Dialect, Listing, Reason, Step};
+pub use listing::{Amendment, Dialect, Listing, Reason, Step};
 pub use names::{Index, Map, Name, Number, Query, Shader, Storage, Target};
 pub use resources::{Framebuffer, Holds, Resources};
 pub use text::Text;

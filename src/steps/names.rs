@@ -3,7 +3,6 @@
 
 use std::fmt;
 
-use super::argument::{Argument, Values};
 use crate::error::{Error, Result};
 
 /// A texture by the name that the text has for it, with a number where there is a row of them (`layer 3`).
@@ -105,26 +104,6 @@ impl fmt::Display for Map {
     }
 }
 
-impl Argument for Map {
-    fn text(&self) -> String {
-        self.to_string()
-    }
-
-    fn names(&self, found: &mut Vec<Name>) {
-        found.push(Name::Map(*self));
-        if let Index::Variable(variable) = self.index {
-            found.push(Name::Variable(variable));
-        }
-    }
-
-    fn resolved(&self, values: Values<'_>) -> Result<Self> {
-        match self.index {
-            Index::Only | Index::Number(_) => Ok(*self),
-            Index::Variable(variable) => Ok(Self::numbered(self.name, values(variable)? as u32)),
-        }
-    }
-}
-
 impl<T: Copy> Number<T> {
     /// The number.
     ///
@@ -140,47 +119,3 @@ impl<T: Copy> Number<T> {
         }
     }
 }
-
-/// Numbers that OpenGL takes, made of a variable's value.
-macro_rules! numbers {
-    ($($kind:ident)*) => {$(
-        impl Argument for Number<$kind> {
-            fn text(&self) -> String {
-                match self {
-                    Self::Known(number) => number.to_string(),
-                    Self::Variable(variable) => (*variable).into(),
-                }
-            }
-
-            fn names(&self, found: &mut Vec<Name>) {
-                if let Self::Variable(variable) = self {
-                    found.push(Name::Variable(variable));
-                }
-            }
-
-            fn resolved(&self, values: Values<'_>) -> Result<Self> {
-                match *self {
-                    Self::Known(_) => Ok(*self),
-                    Self::Variable(variable) => Ok(Self::Known(values(variable)? as $kind)),
-                }
-            }
-        }
-    )*};
-}
-numbers! { i32 u32 f32 }
-
-/// A resource prints as its name.
-macro_rules! resources {
-    ($($kind:ident)*) => {$(
-        impl Argument for $kind {
-            fn text(&self) -> String {
-                self.0.into()
-            }
-
-            fn names(&self, found: &mut Vec<Name>) {
-                found.push(Name::$kind(*self));
-            }
-        }
-    )*};
-}
-resources! { Target Shader Storage Query }

@@ -2,11 +2,11 @@
 
 use std::fmt;
 
-use super::amend::{Amendment, Met, Scope};
+use super::amend::{Met, Scope};
 use super::call::{Call, ClassicCall};
 use super::constants::*;
 use super::expr::Condition;
-use super::listing::{Dialect, Listing, Step};
+use super::listing::{Amendment, Dialect, Listing, Step};
 use super::names::{Index, Map};
 
 /// The listing as its paper prints it, with `amendments` in place; without any, as printed.
@@ -29,13 +29,13 @@ impl Printer {
         self.text += &format!("{:1$}{line}\n", "", indent * 2);
     }
 
-    fn block(&mut self, indent: usize, body: &'static [Step], scope: Scope<'_>) {
+    fn block(&mut self, indent: usize, body: &'static [Step], scope: Scope<'_, Step>) {
         self.line(indent, "{");
         self.steps(body, scope, indent + 1);
         self.line(indent, "}");
     }
 
-    fn steps(&mut self, steps: &'static [Step], scope: Scope<'_>, indent: usize) {
+    fn steps(&mut self, steps: &'static [Step], scope: Scope<'_, Step>, indent: usize) {
         for met in scope.walk(steps) {
             match met {
                 Met::Amendment(it) => self.line(indent, format_args!("// {}: {}", it.key, it.why)),
@@ -44,7 +44,7 @@ impl Printer {
         }
     }
 
-    fn step(&mut self, step: &Step, scope: Scope<'_>, indent: usize) {
+    fn step(&mut self, step: &Step, scope: Scope<'_, Step>, indent: usize) {
         match *step {
             Step::Call(call) => self.line(indent, self.call(&call)),
             Step::DepthUnit { unit, body } => {
@@ -102,7 +102,7 @@ impl Printer {
         condition: &Condition,
         then: &'static [Step],
         otherwise: &'static [Step],
-        scope: Scope<'_>,
+        scope: Scope<'_, Step>,
         indent: usize,
     ) {
         self.line(indent, format_args!("if({condition})"));

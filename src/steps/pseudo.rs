@@ -12,8 +12,9 @@ pub mod list;
 
 use std::fmt;
 
-use super::amend::{Amendment, Met, Scope, Statement};
+use super::amend::{Met, Scope, Statement};
 use super::constants::{Compare, Objects};
+use super::listing::Amendment;
 
 /// An algorithm as its paper prints it, in statements that are [`Line`]s, or another paper's [`list::Line`]s.
 #[derive(Clone, Copy, Debug, PartialEq)]

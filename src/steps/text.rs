@@ -1,7 +1,7 @@
 //! One printed text, whichever way its paper writes it, and what stands beside it.
 
-use super::amend::{Amendment, Statement};
-use super::listing::Listing;
+use super::amend::Statement;
+use super::listing::{Amendment, Listing};
 use super::print;
 use super::pseudo::{self, Algorithm, list};
 

@@ -1,10 +1,10 @@
 //! Walking a listing: evaluates what is computed, resolves what is named, and hands the calls to a machine.
 
-use super::amend::{Amendment, Met, Scope};
+use super::amend::{Met, Scope};
 use super::call::Call;
 use super::expr::{Condition, Expr, Variables};
 use super::format::Format;
-use super::listing::{Listing, Reason, Step};
+use super::listing::{Amendment, Listing, Reason, Step};
 use super::names::{Map, Query, Target};
 use crate::error::{Error, Result};
 
@@ -79,7 +79,7 @@ enum Flow {
 }
 
 impl<M: Machine> Walk<'_, M> {
-    fn steps(&mut self, steps: &'static [Step], scope: Scope<'_>) -> Result<Flow> {
+    fn steps(&mut self, steps: &'static [Step], scope: Scope<'_, Step>) -> Result<Flow> {
         for met in scope.walk(steps) {
             if let Met::Statement(step, scope) = met
                 && self.step(step, scope)? == Flow::Stop
@@ -90,7 +90,7 @@ impl<M: Machine> Walk<'_, M> {
         Ok(Flow::On)
     }
 
-    fn step(&mut self, step: &Step, scope: Scope<'_>) -> Result<Flow> {
+    fn step(&mut self, step: &Step, scope: Scope<'_, Step>) -> Result<Flow> {
         match *step {
             Step::Call(call) => {
                 let call = call.resolved(&|name| self.variable(name))?;

@@ -1,9 +1,23 @@
 //! What a pixel has while its list is resolved: a count, a stencil value, and ppDP's Local Array.
 
-use super::Resolved;
 use super::ray::Ray;
 use crate::fragment::Fragment;
 use crate::steps::pseudo::list::{Counter, Element, Key, Mark, Start, Taken};
+
+/// What became of a pixel.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Resolved {
+    /// The fragments in the order in which they were composited, by their order of submission.
+    pub composited: Vec<u32>,
+    /// How often the pixel was resolved.
+    pub times: u32,
+    /// How often its list was walked.
+    pub subpasses: u32,
+    /// How many records of it were read.
+    pub records_read: u32,
+    /// Elements of the Local Arrays that were there for it, and how many of them held a fragment at some time.
+    pub slots: [u32; 2],
+}
 
 pub(super) struct Pixel<'a> {
     pub(super) list: &'a [Fragment],
