@@ -14,7 +14,7 @@ EXAMPLES := $(basename $(notdir $(sort $(wildcard examples/*.rs))))
 # output and let a check begin before the set-up has ended.
 .NOTPARALLEL:
 .DEFAULT_GOAL := help
-.PHONY: help demo test setup check lint unit gl-osmesa docs examples package deny bench clean
+.PHONY: help demo test setup check lint features unit gl-osmesa docs examples package deny bench clean
 
 help: ## Show this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-8s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
@@ -37,9 +37,15 @@ setup-checks:
 
 check: setup-checks lint ## Format and clippy only
 
-lint:
+lint: features
 	$(CARGO) fmt --check
 	$(CARGO) clippy --all-targets --locked -- -D warnings
+
+# The library with none of its features, and with each of them alone.
+FEATURES := none formats report cli
+features: $(addprefix feature-,$(FEATURES))
+$(addprefix feature-,$(FEATURES)): feature-%:
+	$(CARGO) clippy --lib --locked --no-default-features $(if $(filter-out none,$*),--features $*) -- -D warnings
 
 # One test at a time: llvmpipe rasterises with every core as it is, and Mesa 22.3 was once seen to crash (SIGSEGV, not
 # reproduced in hundreds of runs) while contexts of two test threads drew at once. That several threads may have contexts

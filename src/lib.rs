@@ -6,7 +6,22 @@
 //!
 //! What running the papers has shown is in [`findings`]. The README has a plan of the modules: each imports only from
 //! modules on lower floors.
+//!
+//! # Features
+//!
+//! | feature | adds |
+//! | --- | --- |
+//! | `cli` (default) | the program `onionskin`, with all other features |
+//! | `formats` | [`Scene::load`] and [`scene::Animation`]: scene files, OBJ models, NRRD, NIfTI and VTK ImageData volumes |
+//! | `report` | [`report`]: plots and tables |
+//!
+//! Without features, scenes come from code. PNG and EXR pictures are read and written all the same.
 
+// What only a feature calls stands beside what everyone calls. With all features nothing may be unused.
+#![cfg_attr(
+    not(all(feature = "formats", feature = "report")),
+    allow(dead_code, unused_imports)
+)]
 // Tests inside of the crate use the scenes of the tests outside.
 #[cfg(test)]
 extern crate self as onionskin;
@@ -22,6 +37,7 @@ pub mod memory;
 pub mod methods;
 pub mod oracle;
 pub mod papers;
+#[cfg(feature = "report")]
 pub mod report;
 pub mod scene;
 pub mod steps;

@@ -26,7 +26,8 @@ pub struct Driver {
 }
 
 /// A way in which a driver is known to go wrong.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "cli", derive(serde::Serialize))]
 pub struct Trap {
     /// What happens.
     pub what: &'static str,

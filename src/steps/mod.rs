@@ -13,8 +13,7 @@
 //!   [`Machine`]. GL is one machine (`gl/`), [`Recorder`] is another: what it has recorded is the flat trace.
 //! - [`DepthUnits`] stands between the two where a listing asks for an OpenGL with several depth units, and turns such
 //!   calls into those of a real one.
-//! - [`print`](mod@print) writes a listing the way its paper does; [`diff`](fn@diff) holds the result against a
-//!   transcript.
+//! - [`print`](mod@print) writes a listing the way its paper does, which tests hold against a transcript.
 //!
 //! State persists from listing to listing, as in GL: nothing here resets anything that the listing does not reset.
 //!
@@ -29,7 +28,6 @@ mod classic;
 mod classic_depth_units;
 mod constants;
 mod depth_units;
-mod diff;
 mod expr;
 mod format;
 mod free;
@@ -54,7 +52,6 @@ pub use classic::{
 pub use classic_depth_units::ClassicDepthUnits;
 pub use constants::{BlendEquation, BlendFactor, Buffers, Capability, Compare, Objects, StencilOp};
 pub use depth_units::DepthUnits;
-pub use diff::diff;
 pub use expr::{Condition, Expr, Variables};
 pub use format::Format;
 pub use free::free_variables;

@@ -2,9 +2,9 @@
 
 use onionskin::methods::registry;
 use onionskin::papers::papers;
-use onionskin::steps::diff;
 
 use crate::kit::cli::{Answer, Desk};
+use crate::kit::diff::diff;
 use crate::kit::golden::assert_golden;
 
 const SUBCOMMANDS: [&str; 9] = [

@@ -2,6 +2,7 @@
 //! 2001, which leans on it.
 
 use crate::kit::bounds::F32;
+use crate::kit::diff::diff;
 use glam::{DMat4, DVec3, DVec4};
 use onionskin::fragment::Rgba;
 use onionskin::gl::{CapturedFragment, ClassicState, Format, Geometry, GlMachine};
@@ -11,8 +12,7 @@ use onionskin::papers::everitt_2001::{LISTING_2, SHADOW_AS_DEPTH_TEST};
 use onionskin::scene::Camera;
 use onionskin::scene::generate::{Soup, soup};
 use onionskin::steps::{
-    Call, Capability, Machine, Map, Objects, Query, Shader, Target, Variables, diff, gl::*, print,
-    run,
+    Call, Capability, Machine, Map, Objects, Query, Shader, Target, Variables, gl::*, print, run,
 };
 use onionskin::{Context, Error, Method, Renderer, Result, Scene};
 

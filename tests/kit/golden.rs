@@ -2,6 +2,8 @@
 
 use std::path::Path;
 
+use super::diff::diff;
+
 /// Holds `actual` against a file of `tests/transcripts/`.
 pub fn assert_golden(name: &str, actual: &str) {
     let path = Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -11,7 +13,7 @@ pub fn assert_golden(name: &str, actual: &str) {
         std::fs::write(&path, actual).unwrap();
     }
     let kept = std::fs::read_to_string(&path).unwrap_or_default();
-    let difference = onionskin::steps::diff(&kept, actual);
+    let difference = diff(&kept, actual);
     assert!(
         difference.is_empty(),
         "{} differs (BLESS=1 rewrites it):\n{difference}",

@@ -9,6 +9,7 @@ pub mod cast;
 pub mod changed;
 pub mod classic_cases;
 pub mod cli;
+pub mod diff;
 pub mod emulated;
 pub mod everitt_scenes;
 pub mod exact_scenes;

@@ -1,13 +1,14 @@
 //! ppAO's and ppDP's pseudocode, as printed and as amended, run line by line on lists of fragments: on all small ones,
 //! and on random ones that shrink.
 
+use crate::kit::diff::diff;
 use crate::kit::stack;
 use onionskin::emulator::{ListRun, run_on_lists};
 use onionskin::fragment::{Fragment, Rgba};
 use onionskin::papers::lindholm_2015::components::*;
+use onionskin::steps::Amendment;
 use onionskin::steps::pseudo::Algorithm;
 use onionskin::steps::pseudo::list::{self, Counter, Line, Mark};
-use onionskin::steps::{Amendment, diff};
 use proptest::prelude::*;
 use proptest::test_runner::TestError;
 

@@ -1,9 +1,10 @@
 //! The listings as data: printed like the paper's, unrolled into calls, lowered to one depth unit. No GL.
 
+use crate::kit::diff::diff;
 use onionskin::papers::{everitt_2001, papers, vtk};
 use onionskin::steps::{
     Amendment, Call, Compare, DepthUnits, Machine, Map, Objects, Query, Reason, Recorder, Text,
-    Variables, diff, free_variables, gl::*, print, run,
+    Variables, free_variables, gl::*, print, run,
 };
 use onionskin::{Error, steps};
 

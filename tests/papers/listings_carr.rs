@@ -3,11 +3,12 @@
 //! The transcripts leave out what is no statement: the comments that name stencilOp's three places, `gChanged`'s "occlusion
 //! query", semicolons of Algorithm 2. Arrows are written `<-`, and subscripts on the line.
 
+use crate::kit::diff::diff;
 use onionskin::papers::carr_2008::{coherent, hybrid, ideal, passes};
 use onionskin::papers::papers;
 use onionskin::steps;
 use onionskin::steps::pseudo;
-use onionskin::steps::{Amendment, Text, diff, gl::*, print};
+use onionskin::steps::{Amendment, Text, gl::*, print};
 
 const PASSES: &str = include_str!("../transcripts/carr_passes.txt");
 const ALGORITHM_1: &str = include_str!("../transcripts/carr_algorithm_1.txt");

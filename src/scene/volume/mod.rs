@@ -11,22 +11,33 @@
 //! ones would appear, and with them shells that are not in the data.
 
 mod check;
+#[cfg(feature = "formats")]
 mod gzip;
+#[cfg(feature = "formats")]
 mod load;
 mod missing;
+#[cfg(feature = "formats")]
 mod nifti;
+#[cfg(feature = "formats")]
 mod nrrd;
+#[cfg(feature = "formats")]
 mod reading;
+#[cfg(feature = "formats")]
 mod samples;
+#[cfg(feature = "formats")]
 mod space;
 mod transfer;
+#[cfg(feature = "formats")]
 mod vti;
 
 use glam::{DAffine3, DVec3};
 
 pub use check::MAX_SAMPLES;
+#[cfg(feature = "formats")]
 pub(super) use load::load;
+#[cfg(feature = "formats")]
 pub(super) use missing::Missing;
+#[cfg(feature = "formats")]
 pub(super) use reading::Wish;
 pub(super) use transfer::fault;
 pub use transfer::{Medium, Transfer, TransferPoint};
