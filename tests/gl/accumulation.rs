@@ -101,8 +101,7 @@ fn quad_scene(count: u32) -> Scene {
 }
 
 fn example(name: &str) -> Scene {
-    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/scenes");
-    Scene::load_at(format!("{folder}/{name}.toml"), Some([160, 120])).unwrap()
+    crate::kit::render::example(name, [160, 120])
 }
 
 fn render(

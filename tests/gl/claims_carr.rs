@@ -2,7 +2,8 @@
 //! scenes. The claims about single pixels are in `papers/emulator_*.rs`; `gl/lockstep.rs` shows that both are one machine.
 
 use crate::kit::bounds::F32;
-use crate::kit::carr_scenes::{HYBRID, LAYERS, error, example, ideal, render};
+use crate::kit::carr_scenes::{HYBRID, LAYERS, error, ideal};
+use crate::kit::render::{example, render};
 use crate::kit::stack;
 use onionskin::image::Comparison;
 use onionskin::methods::{CoherentOptions, Sorting, Variant};

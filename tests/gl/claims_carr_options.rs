@@ -2,7 +2,8 @@
 //! on OpenGL.
 
 use crate::kit::bounds::F32;
-use crate::kit::carr_scenes::{LAYERS, error, example, ideal, render};
+use crate::kit::carr_scenes::{LAYERS, error, ideal};
+use crate::kit::render::{example, render};
 use crate::kit::stack;
 use onionskin::methods::{BufferAccess, CoherentOptions, IdealOptions, Sorting, Variant};
 use onionskin::papers::carr_2008::{AT_BOUND, AT_BOUND_AS_PRINTED};

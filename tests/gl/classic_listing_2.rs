@@ -3,6 +3,7 @@
 
 use crate::kit::bounds::F32;
 use crate::kit::diff::diff;
+use crate::kit::render::render;
 use glam::{DMat4, DVec3, DVec4};
 use onionskin::fragment::Rgba;
 use onionskin::gl::{CapturedFragment, ClassicState, Format, Geometry, GlMachine};
@@ -328,12 +329,6 @@ fn nearest(context: &Context, scene: &Scene, replace: bool) -> Vec<f32> {
         machine.perform(&call).unwrap();
     }
     machine.read_depths(DEPTH).unwrap()
-}
-
-fn render(context: &Context, scene: &Scene, method: &Method) -> Frame {
-    let [width, height] = scene.size;
-    let mut renderer = Renderer::new(context, width, height).unwrap();
-    renderer.render(scene, method).unwrap()
 }
 
 /// Pixels that are off by more than the f32 bound of every exact method.

@@ -1,6 +1,7 @@
 //! Coplanar surfaces: which methods have all of them, in which order, and the detector that tells.
 
 use crate::kit::bounds::F32;
+use crate::kit::render::render;
 use crate::kit::stack;
 use onionskin::gl::Format;
 use onionskin::image::Comparison;
@@ -305,14 +306,7 @@ fn piece(level: u16) -> Piece {
 }
 
 fn example(name: &str) -> Scene {
-    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/scenes");
-    Scene::load_at(format!("{folder}/{name}.toml"), Some([160, 120])).unwrap()
-}
-
-fn render(context: &Context, scene: &Scene, method: &Method) -> Frame {
-    let [width, height] = scene.size;
-    let mut renderer = Renderer::new(context, width, height).unwrap();
-    renderer.render(scene, method).unwrap()
+    crate::kit::render::example(name, [160, 120])
 }
 
 /// How many pixels of the frame are not the stack's.

@@ -1,6 +1,7 @@
 //! Dual depth peeling against the oracle, its number of passes, and every way to stop.
 
 use crate::kit::bounds::F32;
+use crate::kit::render::render;
 use crate::kit::stack;
 use onionskin::gl::Format;
 use onionskin::image::Comparison;
@@ -324,14 +325,7 @@ fn soup_scene(seed: u64) -> Scene {
 }
 
 fn example(name: &str) -> Scene {
-    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/scenes");
-    Scene::load_at(format!("{folder}/{name}.toml"), Some([120, 90])).unwrap()
-}
-
-fn render(context: &Context, scene: &Scene, method: &Method) -> Frame {
-    let [width, height] = scene.size;
-    let mut renderer = Renderer::new(context, width, height).unwrap();
-    renderer.render(scene, method).unwrap()
+    crate::kit::render::example(name, [120, 90])
 }
 
 fn peel(context: &Context, scene: &Scene, options: DualDepthPeelingOptions) -> Frame {

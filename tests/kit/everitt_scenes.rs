@@ -12,8 +12,7 @@ use proptest::test_runner::{TestCaseError, TestError};
 pub const VISIBLE: f64 = 1.0 / 255.0;
 
 pub fn example(name: &str) -> Scene {
-    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/scenes");
-    Scene::load_at(format!("{folder}/{name}.toml"), Some([160, 120])).unwrap()
+    super::render::example(name, [160, 120])
 }
 
 pub fn soup_scene(seed: u64) -> Scene {
