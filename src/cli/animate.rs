@@ -64,7 +64,7 @@ struct Done<'a> {
 impl Animate {
     pub(super) fn run(self) -> Result<ExitCode> {
         let method = self.method.method()?;
-        if self.method.layers {
+        if self.method.chosen.has("layers") {
             return Err(Error::usage(
                 "an animation has no place for layers",
                 "Leave out --layers, or render one frame's with `onionskin render`.",
@@ -79,7 +79,7 @@ impl Animate {
             ));
         }
         self.method.slices.check_scene(&animation.scene)?;
-        let method = self.method.for_scene(method, &animation.scene);
+        let method = self.method.for_scene(method, &animation.scene)?;
         let range = self.range(animation.path.frames)?;
         let context = self.setup.gl.context()?;
         let renderer = self.setup.renderer(&context, &animation.scene)?;

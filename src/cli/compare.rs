@@ -54,7 +54,10 @@ impl Compare {
         self.slices.check_scene(&scene)?;
         if self.method == "all" && !scene.volumes.is_empty() {
             let sliced = self.slices.is_given();
-            methods.retain(|m| m.renders_volumes() || sliced && m.takes_slices());
+            methods.retain(|method| {
+                let volumes = method.entry().volumes;
+                volumes.are_rendered() || sliced && volumes.take_slices()
+            });
         }
         let context = self.setup.gl.context()?;
         if self.method == "all" {

@@ -31,8 +31,8 @@ struct Record {
     exact_volumes: Option<bool>,
     exactness: &'static str,
     keeps: Option<&'static str>,
-    ties: &'static str,
-    memory: &'static str,
+    ties: String,
+    memory: String,
     needs: &'static [&'static str],
 }
 
@@ -54,11 +54,11 @@ impl Methods {
                     name: entry.name,
                     source: entry.source,
                     exact: entry.exact,
-                    exact_volumes: entry.exact_volumes,
+                    exact_volumes: entry.exact_volumes(),
                     exactness: entry.exactness,
                     keeps: entry.keeps,
-                    ties: entry.ties,
-                    memory: entry.memory,
+                    ties: entry.ties.to_string(),
+                    memory: entry.memory.to_string(),
                     needs: entry.needs,
                 })?;
             } else {
@@ -71,9 +71,9 @@ impl Methods {
                     entry.name,
                     entry.source,
                     entry.exactness,
-                    entry.ties,
+                    &entry.ties.to_string(),
                     entry.keeps.unwrap_or("-"),
-                    entry.memory,
+                    &entry.memory.to_string(),
                     &needs,
                 ]);
             }

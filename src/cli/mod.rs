@@ -1,9 +1,9 @@
 //! One file a subcommand; here is what they share.
 
-mod a_buffer_options;
 mod animate;
 mod arguments;
 mod check;
+mod chosen;
 mod compare;
 mod complexity;
 mod doctor;

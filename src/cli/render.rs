@@ -53,14 +53,15 @@ impl Render {
         check_writable(&self.output)?;
         let scene = self.setup.scene()?;
         self.method.slices.check_scene(&scene)?;
-        let method = self.method.for_scene(method, &scene);
+        let method = self.method.for_scene(method, &scene)?;
         let context = self.setup.gl.context()?;
         let mut renderer = self
             .method
             .slices
             .told(self.setup.renderer(&context, &scene)?)?;
-        if self.method.layers {
-            let peels = self.method.peels;
+        if self.method.chosen.has("layers") {
+            let peels = self.method.chosen.value("peels").unwrap_or("0");
+            let peels = peels.parse().unwrap_or(0);
             self.setup.check_layers(&mut renderer, &scene, peels)?;
         }
         let progress = Progress::new(1, &format!("rendering {} by {method}", scene.name));
@@ -94,7 +95,7 @@ impl Render {
     fn write(&self, frame: &Frame) -> Result<()> {
         let encoding = self.encoding.encoding();
         // Listing 1 as printed keeps its layers whether they are asked for or not.
-        let layers = if self.method.layers {
+        let layers = if self.method.chosen.has("layers") {
             &frame.layers[..]
         } else {
             &[]

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use clap::Args;
-use onionskin::methods::MOST_SLICES;
+use onionskin::methods::{MOST_SLICES, Volumes};
 use onionskin::{Error, Method, Renderer, Result, Scene};
 
 #[derive(Args)]
@@ -46,10 +46,10 @@ impl Slices {
     /// # Errors
     /// It is given, and the method draws no slices.
     pub(super) fn check(&self, method: &Method) -> Result<()> {
-        if !self.is_given() || method.takes_slices() {
+        if !self.is_given() || method.entry().volumes.take_slices() {
             return Ok(());
         }
-        Err(if method.casts_rays() {
+        Err(if method.entry().volumes == Volumes::Rays {
             Error::usage(
                 format!("{method} casts rays through volumes, and draws no slices"),
                 "leave out --slices, or choose hybrid-layer-peeling",

@@ -1,6 +1,8 @@
 //! Blending in the order of submission: what depth peeling corrects (Everitt 2001, figure 1b).
 
-use super::{Algorithm, Drawn};
+use super::algorithm::{Algorithm, Drawn, Setup};
+use super::entry::{Entry, Memory, Ties, Volumes};
+use super::technique::{Published, Technique};
 use crate::error::Result;
 use crate::gl::GlMachine;
 use crate::papers::stage::OPAQUE_FIRST;
@@ -24,7 +26,9 @@ pub(super) const BLEND_IN_ORDER: Listing = Listing {
     },
 };
 
-pub(super) struct Blend;
+/// Blending in the order of submission, which has no options.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Blend;
 
 impl Algorithm for Blend {
     fn prepare(&mut self, _: &mut GlMachine<'_>, _: &Scene) -> Result<()> {
@@ -39,3 +43,27 @@ impl Algorithm for Blend {
         })
     }
 }
+
+const ENTRY: Entry = Entry {
+    name: "blend",
+    source: "Everitt 2001, figure 1b",
+    exact: false,
+    exactness: "no",
+    ties: Ties::OverEarlier,
+    memory: Memory::Pixels,
+    volumes: Volumes::Refused,
+    keeps: None,
+    needs: &[],
+};
+
+impl Technique for Blend {
+    fn entry(&self) -> &'static Entry {
+        &ENTRY
+    }
+
+    fn algorithm(&self, _: &Setup) -> Box<dyn Algorithm> {
+        Box::new(Self)
+    }
+}
+
+impl Published for Blend {}

@@ -7,11 +7,14 @@
 //! So triangles are roughly sorted first ([`Sorting`]). Of surfaces at the same depth the first submitted *after that*
 //! lies in front.
 
-use super::allocate_maps;
+use super::algorithm::{Algorithm, Composited, Drawn, Setup};
+use super::allocate_maps::allocate_maps;
 use super::batches::{Batch, batches, begin_batch};
+use super::choice::{AS_PRINTED, Choice, Setter, Takes, number, set};
+use super::entry::{EXACT_BUT_NOT_SLICES, Entry, Memory, Ties, Volumes};
 use super::peeled::{Peeled, peeled};
-use super::sorting::Sorting;
-use super::{Algorithm, Drawn};
+use super::sorting::{SORT, Sorting};
+use super::technique::{Published, Technique};
 use crate::error::{Error, Result};
 use crate::gl::{Format, Geometry, GlMachine};
 use crate::papers::carr_2008::coherent;
@@ -60,11 +63,11 @@ impl From<Variant> for CoherentOptions {
     }
 }
 
-pub(super) struct CoherentLayerPeeling {
-    pub(super) options: CoherentOptions,
-    pub(super) peeled: Peeled,
-    pub(super) color: Format,
-    pub(super) depth: Format,
+struct CoherentLayerPeeling {
+    options: CoherentOptions,
+    peeled: Peeled,
+    color: Format,
+    depth: Format,
     order: Vec<[u32; 2]>,
 }
 
@@ -84,7 +87,7 @@ const fn amended(steps: &'static [crate::steps::Step]) -> Listing {
 }
 
 impl CoherentLayerPeeling {
-    pub(super) fn new(options: CoherentOptions, color: Format, depth: Format) -> Self {
+    fn new(options: CoherentOptions, setup: &Setup) -> Self {
         let peeled = Peeled::new(options.as_printed);
         Self {
             options,
@@ -92,8 +95,8 @@ impl CoherentLayerPeeling {
                 [] => peeled,
                 _ => peeled.guarded(),
             },
-            color,
-            depth,
+            color: setup.color,
+            depth: setup.depth,
             order: Vec::new(),
         }
     }
@@ -157,7 +160,7 @@ impl CoherentLayerPeeling {
         }
         run(&stage::OVER_OPAQUE, &[], Variables::new(), machine)?;
         self.submit(machine, scene, &self.order)?;
-        all.composited = super::Composited::Some(composited);
+        all.composited = Composited::Some(composited);
         Ok(all)
     }
 }
@@ -193,5 +196,99 @@ impl Algorithm for CoherentLayerPeeling {
             machine,
         )?;
         Ok(peeled(&outcome))
+    }
+}
+
+const ENTRY_A: Entry = Entry {
+    name: "coherent-layer-peeling-a",
+    source: "Carr et al. 2008, section 5",
+    exact: true,
+    exactness: EXACT_BUT_NOT_SLICES,
+    ties: Ties::InOrderAfterSorting,
+    memory: Memory::PixelsAndTriangles,
+    volumes: Volumes::SlicesWhenAsked,
+    keeps: None,
+    needs: &[],
+};
+
+const ENTRY_B: Entry = Entry {
+    name: "coherent-layer-peeling-b",
+    source: "Carr et al. 2008, section 6",
+    ..ENTRY_A
+};
+
+impl Technique for CoherentOptions {
+    fn entry(&self) -> &'static Entry {
+        match self.variant {
+            Variant::A => &ENTRY_A,
+            Variant::B => &ENTRY_B,
+        }
+    }
+
+    fn algorithm(&self, setup: &Setup) -> Box<dyn Algorithm> {
+        Box::new(CoherentLayerPeeling::new(*self, setup))
+    }
+
+    fn check(&self) -> Result<()> {
+        let improved = self.tie_friendly || self.stop_early || self.batches > 0;
+        one_of_both(self.as_printed, improved)
+    }
+
+    fn needs_window_depth(&self) -> Option<&'static str> {
+        (self.batches > 1).then_some("depth batches are cut from window-space depth")
+    }
+}
+
+/// What the paper only points at. The ideal GPU has improvements of its own.
+pub(super) const IMPROVE: Choice = Choice {
+    name: "improve",
+    takes: Takes::Value("LIST"),
+    help: "Improvements that the paper only points at, separated by commas: tie-friendly, early-stop, batches=N for \
+           variants A and B; tight-bound for the ideal GPU",
+};
+
+/// # Errors
+/// If both are chosen.
+pub(super) fn one_of_both(as_printed: bool, improved: bool) -> Result<()> {
+    if as_printed && improved {
+        return Err(Error::usage(
+            "the paper as printed has none of the improvements: --as-printed and --improve exclude each other",
+            "choose one of them",
+        ));
+    }
+    Ok(())
+}
+
+fn improve(options: &mut CoherentOptions, improvement: &str) -> Result<()> {
+    match improvement.split_once('=') {
+        None if improvement == "tie-friendly" => options.tie_friendly = true,
+        None if improvement == "early-stop" => options.stop_early = true,
+        Some(("batches", count)) => {
+            options.batches = number(count)?;
+            if !(1..=1000).contains(&options.batches) {
+                return Err(no_improvement(improvement));
+            }
+        }
+        _ => return Err(no_improvement(improvement)),
+    }
+    Ok(())
+}
+
+fn no_improvement(text: &str) -> Error {
+    Error::usage(
+        format!("'{text}' is no improvement of variants A and B"),
+        "write tie-friendly, early-stop, or batches=N with N from 1 to 1000",
+    )
+}
+
+impl Published for CoherentOptions {
+    const CHOICES: &'static [Setter<Self>] = &[
+        SORT.sets(|o, text| set(&mut o.sorting, text.parse())),
+        IMPROVE.sets(|o, list| list.split(',').try_for_each(|text| improve(o, text))),
+        AS_PRINTED.sets(|o, _| set(&mut o.as_printed, Ok(true))),
+    ];
+
+    fn variants() -> Vec<Self> {
+        [Variant::A, Variant::B].map(Self::from).to_vec()
     }
 }

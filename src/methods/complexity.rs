@@ -1,6 +1,7 @@
 //! Depth complexity: how many fragments each pixel has, and their histogram (Lindholm et al. 2015, section 3.1).
 
-use super::a_buffer::{expect_stencil, fused};
+use super::a_buffer::expect_stencil;
+use super::proxies::proxies;
 use super::renderer::Renderer;
 use crate::error::Result;
 use crate::gl::Format;
@@ -126,7 +127,7 @@ impl Renderer<'_> {
             &[stage::COMPLEXITY],
             Some(stage::OPAQUE_DEPTH),
         )?;
-        run(&listing, fused(scene), Variables::new(), machine)?;
+        run(&listing, proxies(scene), Variables::new(), machine)?;
         let map = match by {
             CountBy::Stencil => stage::OPAQUE_DEPTH,
             CountBy::Blending | CountBy::Atomics => stage::COMPLEXITY,

@@ -7,12 +7,15 @@
 //! of its triangles. This holds everywhere in onionskin: [`oracle`](crate::oracle) sorts by it, and it is what the
 //! images of the exact methods are held against.
 //!
-//! | method | fragments of equal depth |
+//! <!-- methods: generated from the registry -->
+//! | fragments of equal depth | methods |
 //! | --- | --- |
-//! | `exact`, `coplanar-depth-peeling`, `dual-depth-peeling`, `layer-peeling` | all of them, in that order |
-//! | `hybrid-layer-peeling`, `coherent-layer-peeling-*`, `ideal-*` | all of them, in the order in which they are drawn after sorting |
-//! | `depth-peeling` | the first one is kept, the others are lost and counted (Everitt: "each unique depth") |
-//! | `blend`, `painter` | all of them, each over those submitted before it |
+//! | each over those drawn before it | `blend`, `painter` |
+//! | the first submitted, the others lost and counted | `depth-peeling` |
+//! | order of submission | `dual-depth-peeling`, `coplanar-depth-peeling`, `layer-peeling`, `ffb`, `ffb+ppao`, `ffb+ppdp`, `ffb+ppao+ppdp`, `dfb`, `dfb+ppao`, `dfb+ppdp`, `dfb+ppao+ppdp`, `ppll`, `ppll+ppao`, `ppll+ppdp`, `ppll+ppao+ppdp`, `exact` |
+//! | unsorted meshes before sorted ones | `hybrid-layer-peeling` |
+//! | order of submission after sorting | `coherent-layer-peeling-a`, `coherent-layer-peeling-b`, `ideal-coherent-layer-peeling` |
+//! <!-- /methods -->
 //!
 //! [`Entry::ties`](super::Entry::ties) says it of each method in the registry.
 //!
@@ -22,7 +25,9 @@
 //! translucent over white: what light is left at a pixel then says how many fragments are in the way, for `n` of them
 //! let `(1 - a)^n` through, in whatever order. Fewer than were drawn, and some were dropped or merged.
 
-use super::{Method, Renderer, allocate_maps};
+use super::allocate_maps::allocate_maps;
+use super::renderer::Renderer;
+use super::technique::Technique;
 use crate::error::Result;
 use crate::fragment::Rgba;
 use crate::gl::{Context, Format, Geometry, GlMachine, capture};
@@ -64,7 +69,12 @@ impl Shown {
 ///
 /// # Errors
 /// What the method or the driver cannot do.
-pub fn shown(context: &Context, scene: &Scene, method: &Method, depth: Format) -> Result<Shown> {
+pub fn shown(
+    context: &Context,
+    scene: &Scene,
+    method: &dyn Technique,
+    depth: Format,
+) -> Result<Shown> {
     let submitted = submitted(context, scene)?;
     let most = submitted.iter().copied().max().unwrap_or(0).max(1);
     let alpha = 1.0 / (most + 1) as f32;

@@ -6,8 +6,15 @@
 //!
 //! Excludes: multisampling; depths at or beyond the far plane, which GL clips.
 
+use super::algorithm::{Algorithm, Composited, Drawn, Setup};
+use super::allocate_maps::allocate_maps;
+use super::choice::{Setter, number, set};
+use super::depth_peeling::PEELS;
+use super::entry::{EXACT_BUT_NOT_SLICES, Entry, Memory, Ties, Volumes};
 use super::iteration_bound::iteration_bound;
-use super::{Algorithm, Composited, Drawn, Peeling, allocate_maps, requirements};
+use super::requirements;
+use super::stats::Peeling;
+use super::technique::{Published, Technique};
 use crate::error::Result;
 use crate::gl::{Format, GlMachine};
 use crate::papers::stage;
@@ -22,23 +29,12 @@ pub struct CoplanarDepthPeelingOptions {
     pub maximum_number_of_peels: u32,
 }
 
-pub(super) struct CoplanarDepthPeeling {
+struct CoplanarDepthPeeling {
     options: CoplanarDepthPeelingOptions,
     color: Format,
     depth: Format,
     /// How many peels a loop without a limit may need.
     bound: f64,
-}
-
-impl CoplanarDepthPeeling {
-    pub(super) fn new(options: CoplanarDepthPeelingOptions, color: Format, depth: Format) -> Self {
-        Self {
-            options,
-            color,
-            depth,
-            bound: f64::INFINITY,
-        }
-    }
 }
 
 impl Algorithm for CoplanarDepthPeeling {
@@ -88,4 +84,36 @@ impl Algorithm for CoplanarDepthPeeling {
             ..Drawn::default()
         })
     }
+}
+
+const ENTRY: Entry = Entry {
+    name: "coplanar-depth-peeling",
+    source: "Vasilakis and Fudos 2013",
+    exact: true,
+    exactness: EXACT_BUT_NOT_SLICES,
+    ties: Ties::InOrder,
+    memory: Memory::Pixels,
+    volumes: Volumes::SlicesWhenAsked,
+    keeps: None,
+    needs: &[],
+};
+
+impl Technique for CoplanarDepthPeelingOptions {
+    fn entry(&self) -> &'static Entry {
+        &ENTRY
+    }
+
+    fn algorithm(&self, setup: &Setup) -> Box<dyn Algorithm> {
+        Box::new(CoplanarDepthPeeling {
+            options: *self,
+            color: setup.color,
+            depth: setup.depth,
+            bound: f64::INFINITY,
+        })
+    }
+}
+
+impl Published for CoplanarDepthPeelingOptions {
+    const CHOICES: &'static [Setter<Self>] =
+        &[PEELS.sets(|o, text| set(&mut o.maximum_number_of_peels, number(text)))];
 }

@@ -7,9 +7,15 @@
 //!
 //! Excludes: multisampling; depths at or beyond the far plane, which GL clips.
 
+use super::algorithm::{Algorithm, Composited, Drawn, Setup};
+use super::allocate_maps::allocate_maps;
+use super::choice::{AS_PRINTED, Choice, Setter, Takes, number, set, word};
 use super::depth_unit_0::DepthUnit0;
+use super::entry::{Entry, Memory, Ties, Volumes};
 use super::iteration_bound::iteration_bound;
-use super::{Algorithm, Composited, Drawn, Peeling, allocate_maps, requirements};
+use super::requirements;
+use super::stats::Peeling;
+use super::technique::{Published, Technique};
 use crate::error::{Error, Result};
 use crate::gl::{Format, GlMachine};
 use crate::papers::everitt_2001::{self, LISTING_1};
@@ -51,43 +57,12 @@ pub struct DepthPeelingOptions {
 
 impl DepthPeelingOptions {
     /// Whether the frame has the layers.
-    pub(super) fn keeps_layers(&self) -> bool {
+    fn keeps_layers(&self) -> bool {
         self.as_printed || self.compositing == Compositing::KeepLayers
-    }
-
-    /// Whether a frame can be rendered with them. It is asked before each frame; asking earlier says earlier what is
-    /// wrong.
-    ///
-    /// # Errors
-    /// If the occlusion ratio is out of range, or Listing 1 as printed is not told when to stop.
-    pub fn check(&self) -> Result<()> {
-        if !(0.0..=1.0).contains(&self.occlusion_ratio) {
-            let what = format!(
-                "the occlusion ratio {} is not between 0 and 1",
-                self.occlusion_ratio
-            );
-            return Err(Error::usage(
-                what,
-                "0 is exact; 0.01 ignores peels that change less than 1% of the image",
-            ));
-        }
-        if self.as_printed && self.depth_unit_0 != DepthUnit0::Sampler {
-            return Err(Error::usage(
-                "Listing 1 as printed has depth units of its own",
-                "leave out one of the two: --as-printed, or --depth-unit-0",
-            ));
-        }
-        if self.as_printed && self.maximum_number_of_peels == 0 {
-            return Err(Error::usage(
-                "Listing 1 as printed has no way to find out when to stop",
-                "say how many passes it makes: --peels 4 gives the four layers of its figure 3",
-            ));
-        }
-        Ok(())
     }
 }
 
-pub(super) struct DepthPeeling {
+struct DepthPeeling {
     options: DepthPeelingOptions,
     color: Format,
     depth: Format,
@@ -135,6 +110,7 @@ impl Algorithm for DepthPeeling {
                 .depth_unit_0
                 .run(machine, &listing, self.options.amendments, variables)?;
         let mut drawn = drawn(&outcome);
+        drawn.keeps_layers = self.options.keeps_layers();
         if self.may_get_stuck() && outcome.stopped != Some(Reason::EmptyLayer) {
             // Layers may have been counted twice.
             drawn.composited = Composited::Unknown;
@@ -147,11 +123,11 @@ impl Algorithm for DepthPeeling {
 }
 
 impl DepthPeeling {
-    pub(super) fn new(options: DepthPeelingOptions, color: Format, depth: Format) -> Self {
+    fn new(options: DepthPeelingOptions, setup: &Setup) -> Self {
         Self {
             options,
-            color,
-            depth,
+            color: setup.color,
+            depth: setup.depth,
             bound: f64::INFINITY,
         }
     }
@@ -195,6 +171,7 @@ impl DepthPeeling {
         Ok(Drawn {
             iterations: layers,
             layers: Some(layers),
+            keeps_layers: true,
             composited: Composited::Unknown,
             stopped: Some(Reason::PeelLimit),
             peeling: Peeling::Used,
@@ -238,3 +215,104 @@ fn drawn(outcome: &Outcome) -> Drawn {
         ..Drawn::default()
     }
 }
+
+const ENTRY: Entry = Entry {
+    name: "depth-peeling",
+    source: "Everitt 2001; VTK",
+    exact: true,
+    exactness: "yes, but for ties; volumes as slices: no, an error of order 1 in the slices' distance",
+    ties: Ties::FirstKept,
+    memory: Memory::PixelsOrLayers,
+    volumes: Volumes::SlicesWhenAsked,
+    keeps: None,
+    needs: &[],
+};
+
+impl Technique for DepthPeelingOptions {
+    fn entry(&self) -> &'static Entry {
+        &ENTRY
+    }
+
+    fn algorithm(&self, setup: &Setup) -> Box<dyn Algorithm> {
+        Box::new(DepthPeeling::new(*self, setup))
+    }
+
+    fn check(&self) -> Result<()> {
+        if !(0.0..=1.0).contains(&self.occlusion_ratio) {
+            let what = format!(
+                "the occlusion ratio {} is not between 0 and 1",
+                self.occlusion_ratio
+            );
+            return Err(Error::usage(
+                what,
+                "0 is exact; 0.01 ignores peels that change less than 1% of the image",
+            ));
+        }
+        if self.as_printed && self.depth_unit_0 != DepthUnit0::Sampler {
+            return Err(Error::usage(
+                "Listing 1 as printed has depth units of its own",
+                "leave out one of the two: --as-printed, or --depth-unit-0",
+            ));
+        }
+        if self.as_printed && self.maximum_number_of_peels == 0 {
+            return Err(Error::usage(
+                "Listing 1 as printed has no way to find out when to stop",
+                "say how many passes it makes: --peels 4 gives the four layers of its figure 3",
+            ));
+        }
+        Ok(())
+    }
+
+    fn needs_window_depth(&self) -> Option<&'static str> {
+        (self.depth_unit_0 != DepthUnit0::default())
+            .then_some("this way of comparing with depth unit 0 asks for window-space depth")
+    }
+}
+
+pub(super) const PEELS: Choice = Choice {
+    name: "peels",
+    takes: Takes::Value("N"),
+    help: "At most this many peels, nearest first; 0 means no limit, as VTK documents it [default: 0]",
+};
+
+pub(super) const OCCLUSION_RATIO: Choice = Choice {
+    name: "occlusion-ratio",
+    takes: Takes::Value("0..1"),
+    help: "Stop after a peel that changed fewer pixels than this part of the image [default: 0, which is exact]",
+};
+
+const LAYERS: Choice = Choice {
+    name: "layers",
+    takes: Takes::Nothing,
+    help: "Keep every layer and write it beside the image: FILE-layer-0.png is the nearest, and so on",
+};
+
+const DEPTH_UNIT_0: Choice = Choice {
+    name: "depth-unit-0",
+    takes: Takes::Word(&[
+        ("sampler", "The rasteriser's depth, compared by the sampler"),
+        ("classic", "r/q, compared into alpha"),
+        (
+            "classic-depth-replace",
+            "The same, and r/q is what is stored",
+        ),
+    ]),
+    help: "What peels: a shadow sampler, or the alpha test of 2001 with or without Listing 2's depth replace [default: \
+           sampler]",
+};
+
+impl Published for DepthPeelingOptions {
+    const CHOICES: &'static [Setter<Self>] = &[
+        PEELS.sets(|o, text| set(&mut o.maximum_number_of_peels, number(text))),
+        OCCLUSION_RATIO.sets(|o, text| set(&mut o.occlusion_ratio, number(text))),
+        LAYERS.sets(|o, _| set(&mut o.compositing, Ok(Compositing::KeepLayers))),
+        DEPTH_UNIT_0.sets(|o, text| set(&mut o.depth_unit_0, word(text, &DEPTH_UNITS))),
+        AS_PRINTED.sets(|o, _| set(&mut o.as_printed, Ok(true))),
+    ];
+}
+
+const DEPTH_UNITS: [(&str, DepthUnit0); 3] = [
+    ("sampler", DepthUnit0::Sampler),
+    ("classic", DepthUnit0::Classic),
+    ("classic-depth-replace", DepthUnit0::ClassicDepthReplace),
+];

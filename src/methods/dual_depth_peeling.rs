@@ -9,9 +9,14 @@
 //!
 //! Excludes: multisampling; depths at or beyond the far plane, which GL clips.
 
-use super::{
-    Algorithm, Composited, DepthPeelingOptions, Drawn, Peeling, allocate_maps, requirements,
-};
+use super::algorithm::{Algorithm, Composited, Drawn, Setup};
+use super::allocate_maps::allocate_maps;
+use super::choice::{Setter, number, set};
+use super::depth_peeling::{DepthPeelingOptions, OCCLUSION_RATIO, PEELS};
+use super::entry::{EXACT_BUT_NOT_SLICES, Entry, Memory, Ties, Volumes};
+use super::requirements;
+use super::stats::Peeling;
+use super::technique::{Published, Technique};
 use crate::error::Result;
 use crate::gl::{Format, GlMachine};
 use crate::papers::bavoil_2008::{self as bavoil, DUAL_DEPTH_PEELING};
@@ -33,25 +38,11 @@ pub struct DualDepthPeelingOptions {
     pub amendments: &'static [Amendment],
 }
 
-impl DualDepthPeelingOptions {
-    /// Whether a frame can be rendered with them.
-    ///
-    /// # Errors
-    /// If the occlusion ratio is out of range.
-    pub fn check(&self) -> Result<()> {
-        DepthPeelingOptions {
-            occlusion_ratio: self.occlusion_ratio,
-            ..Default::default()
-        }
-        .check()
-    }
-}
-
-pub(super) struct DualDepthPeeling {
-    pub(super) options: DualDepthPeelingOptions,
-    pub(super) color: Format,
+struct DualDepthPeeling {
+    options: DualDepthPeelingOptions,
+    color: Format,
     /// The variables at the end of the last frame, which say where what is left can be found.
-    pub(super) end: Variables,
+    end: Variables,
 }
 
 impl Algorithm for DualDepthPeeling {
@@ -114,4 +105,45 @@ impl Algorithm for DualDepthPeeling {
         }
         Ok(())
     }
+}
+
+const ENTRY: Entry = Entry {
+    name: "dual-depth-peeling",
+    source: "Bavoil and Myers 2008; VTK today",
+    exact: true,
+    exactness: EXACT_BUT_NOT_SLICES,
+    ties: Ties::InOrder,
+    memory: Memory::Pixels,
+    volumes: Volumes::SlicesWhenAsked,
+    keeps: None,
+    needs: &[],
+};
+
+impl Technique for DualDepthPeelingOptions {
+    fn entry(&self) -> &'static Entry {
+        &ENTRY
+    }
+
+    fn algorithm(&self, setup: &Setup) -> Box<dyn Algorithm> {
+        Box::new(DualDepthPeeling {
+            options: *self,
+            color: setup.color,
+            end: Variables::new(),
+        })
+    }
+
+    fn check(&self) -> Result<()> {
+        DepthPeelingOptions {
+            occlusion_ratio: self.occlusion_ratio,
+            ..Default::default()
+        }
+        .check()
+    }
+}
+
+impl Published for DualDepthPeelingOptions {
+    const CHOICES: &'static [Setter<Self>] = &[
+        PEELS.sets(|o, text| set(&mut o.maximum_number_of_peels, number(text))),
+        OCCLUSION_RATIO.sets(|o, text| set(&mut o.occlusion_ratio, number(text))),
+    ];
 }

@@ -7,16 +7,19 @@
 
 use std::thread;
 
-use super::{Algorithm, Drawn, Hanging};
+use super::algorithm::{Algorithm, Drawn, Setup};
+use super::entry::{EXACT_BY_RAYS, Entry, Memory, Ties, Volumes};
+use super::hanging::Hanging;
+use super::technique::{Published, Technique};
 use crate::error::Result;
-use crate::gl::{Captured, CapturedFragment, GlMachine, Piece, capture_in_pieces};
+use crate::gl::{Captured, CapturedFragment, Format, GlMachine, Piece, capture_in_pieces};
 use crate::image::Image;
 use crate::oracle::DepthBuffer;
 use crate::oracle::pixel::{Covering, Visible, hangs, sorted};
 use crate::oracle::surfaces::Surfaces;
 use crate::oracle::volumes::Ray;
 use crate::papers::stage::OPAQUE_DEPTH;
-use crate::scene::Scene;
+use crate::scene::{Camera, Scene};
 use crate::steps::{Compare, Objects};
 
 /// Fragments in memory at a time: 64 MiB of them.
@@ -25,14 +28,26 @@ const AT_A_TIME: u32 = 2 << 20;
 /// What a pixel's channel may be off by that hangs on nothing: what methods in 32-bit float are held to.
 const BOUND: f64 = 1e-5;
 
-pub(super) struct Exact {
+/// The exact image, which has no options.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Exact;
+
+struct ExactImage {
+    setup: Setup,
     /// The depth buffer of the other methods, and the same between the clip planes that the scene's camera was given.
-    pub(super) drawn: DepthBuffer,
-    pub(super) given: DepthBuffer,
+    buffers: [DepthBuffer; 2],
 }
 
-impl Algorithm for Exact {
-    fn prepare(&mut self, _: &mut GlMachine<'_>, _: &Scene) -> Result<()> {
+impl Algorithm for ExactImage {
+    fn prepare(&mut self, machine: &mut GlMachine<'_>, scene: &Scene) -> Result<()> {
+        let size = machine.size();
+        self.buffers = [
+            match machine.has_inverse_w() {
+                true => DepthBuffer::float(&scene.camera, size).of_inverse_w(),
+                false => depth_buffer(&scene.camera, size, self.setup.depth),
+            },
+            depth_buffer(&self.setup.given, size, self.setup.depth),
+        ];
         Ok(())
     }
 
@@ -63,7 +78,7 @@ impl Algorithm for Exact {
 /// A pixel's colour, and whether it hangs on what the depth buffer as drawn and as given cannot hold.
 type Pixel = ([f32; 4], [bool; 2]);
 
-impl Exact {
+impl ExactImage {
     /// Gives one pixel of a piece to the oracle.
     fn pixel(
         &self,
@@ -80,7 +95,7 @@ impl Exact {
         let hang = |buffer| hangs(surfaces, &list, buffer, BOUND);
         (
             color.map(|channel| channel as f32),
-            [&self.drawn, &self.given].map(hang),
+            self.buffers.each_ref().map(hang),
         )
     }
 }
@@ -202,3 +217,39 @@ fn every<T: Send>(count: usize, result: impl Fn(usize) -> T + Sync) -> Vec<T> {
             .collect()
     })
 }
+
+fn depth_buffer(camera: &Camera, size: [u32; 2], format: Format) -> DepthBuffer {
+    let float = DepthBuffer::float(camera, size);
+    match format {
+        Format::Depth24 | Format::Depth24Stencil8 => float.with_bits(24),
+        Format::Depth16 => float.with_bits(16),
+        _ => float,
+    }
+}
+
+const ENTRY: Entry = Entry {
+    name: "exact",
+    source: "the oracle",
+    exact: true,
+    exactness: EXACT_BY_RAYS,
+    ties: Ties::InOrder,
+    memory: Memory::Fragments,
+    volumes: Volumes::Rays,
+    keeps: None,
+    needs: &[],
+};
+
+impl Technique for Exact {
+    fn entry(&self) -> &'static Entry {
+        &ENTRY
+    }
+
+    fn algorithm(&self, setup: &Setup) -> Box<dyn Algorithm> {
+        Box::new(ExactImage {
+            setup: *setup,
+            buffers: [setup.given, setup.given].map(|camera| DepthBuffer::float(&camera, [1; 2])),
+        })
+    }
+}
+
+impl Published for Exact {}

@@ -8,19 +8,30 @@
 //! a slab as a whole, so that where a surface is in a slab, or a ray enters or leaves a volume there, up to half of it is
 //! on the wrong side; the error of the image falls with the number of slices.
 
+use super::algorithm::{Algorithm, Drawn, Setup};
+use super::allocate_maps::allocate_maps;
+use super::choice::{AS_PRINTED, Setter, set};
+use super::entry::{EXACT_BUT_NOT_SLICES, Entry, Memory, Ties, Volumes};
 use super::peeled::{Peeled, peeled};
 use super::sorting::sorted_meshes_front_to_back;
-use super::{Algorithm, Drawn, allocate_maps};
+use super::technique::{Published, Technique};
 use crate::error::Result;
 use crate::gl::{Format, Geometry, GlMachine};
 use crate::papers::carr_2008::hybrid;
 use crate::scene::Scene;
 use crate::steps::run;
 
-pub(super) struct HybridLayerPeeling {
-    pub(super) options: Peeled,
-    pub(super) color: Format,
-    pub(super) depth: Format,
+/// What can be chosen about hybrid layer peeling.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct HybridLayerPeelingOptions {
+    /// The paper's text with nothing amended. Given up when it goes on for too long.
+    pub as_printed: bool,
+}
+
+struct HybridLayerPeeling {
+    peeled: Peeled,
+    color: Format,
+    depth: Format,
 }
 
 impl Algorithm for HybridLayerPeeling {
@@ -28,17 +39,48 @@ impl Algorithm for HybridLayerPeeling {
         let order = sorted_meshes_front_to_back(scene);
         let geometry = Geometry::upload_in_order(machine.context(), scene, machine.size(), &order)?;
         machine.set_geometry(geometry);
-        self.options.prepare(machine)?;
+        self.peeled.prepare(machine)?;
         allocate_maps(machine, &hybrid::RESOURCES, self.color, self.depth)
     }
 
     fn draw(&mut self, machine: &mut GlMachine<'_>, _: &Scene) -> Result<Drawn> {
         let outcome = run(
             &hybrid::HYBRID,
-            self.options.amendments(&hybrid::AMENDMENTS),
-            self.options.variables(),
+            self.peeled.amendments(&hybrid::AMENDMENTS),
+            self.peeled.variables(),
             machine,
         )?;
         Ok(peeled(&outcome))
     }
+}
+
+const ENTRY: Entry = Entry {
+    name: "hybrid-layer-peeling",
+    source: "Carr et al. 2008, Algorithm 1",
+    exact: true,
+    exactness: EXACT_BUT_NOT_SLICES,
+    ties: Ties::UnsortedFirst,
+    memory: Memory::PixelsAndTriangles,
+    volumes: Volumes::Slices,
+    keeps: None,
+    needs: &[],
+};
+
+impl Technique for HybridLayerPeelingOptions {
+    fn entry(&self) -> &'static Entry {
+        &ENTRY
+    }
+
+    fn algorithm(&self, setup: &Setup) -> Box<dyn Algorithm> {
+        Box::new(HybridLayerPeeling {
+            peeled: Peeled::new(self.as_printed),
+            color: setup.color,
+            depth: setup.depth,
+        })
+    }
+}
+
+impl Published for HybridLayerPeelingOptions {
+    const CHOICES: &'static [Setter<Self>] =
+        &[AS_PRINTED.sets(|o, _| set(&mut o.as_printed, Ok(true)))];
 }

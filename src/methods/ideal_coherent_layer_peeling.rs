@@ -4,17 +4,20 @@
 //! `GL_EXT_shader_framebuffer_fetch` (Mesa's llvmpipe) have one, and drivers with `GL_ARB_fragment_shader_interlock`
 //! (NVIDIA's, Intel's) have one by images. The paper's pseudocode itself runs on the emulated pixel.
 
+use super::algorithm::{Algorithm, Composited, Drawn, Setup};
+use super::allocate_maps::allocate_maps;
+use super::choice::{AS_PRINTED, Setter, set, word};
+use super::coherent_layer_peeling::{IMPROVE, one_of_both};
+use super::entry::{EXACT_BUT_NOT_SLICES, Entry, Memory, Ties, Volumes};
 use super::peeled::{Peeled, peeled};
-use super::sorting::Sorting;
-use super::{Algorithm, Composited, Drawn, allocate_maps};
+use super::sorting::{SORT, Sorting};
+use super::technique::{Published, Technique};
 use crate::error::{Error, Result};
 use crate::gl::{Geometry, GlMachine};
 use crate::papers::carr_2008::ideal;
 use crate::scene::Scene;
 use crate::steps::{Format, Resources, run};
 
-/// The extensions of which each makes a GPU ideal.
-pub(super) const NEEDS: &[&str] = &[FETCH, INTERLOCK];
 const FETCH: &str = "GL_EXT_shader_framebuffer_fetch";
 const INTERLOCK: &str = "GL_ARB_fragment_shader_interlock";
 
@@ -41,14 +44,14 @@ pub struct IdealOptions {
     pub access: BufferAccess,
 }
 
-pub(super) struct IdealCoherentLayerPeeling {
+struct IdealCoherentLayerPeeling {
     options: IdealOptions,
     peeled: Peeled,
     by_images: bool,
 }
 
 impl IdealCoherentLayerPeeling {
-    pub(super) fn new(options: IdealOptions) -> Self {
+    fn new(options: IdealOptions) -> Self {
         Self {
             options,
             peeled: Peeled::new(options.as_printed),
@@ -117,4 +120,46 @@ impl Algorithm for IdealCoherentLayerPeeling {
             ..peeled(&outcome)
         })
     }
+}
+
+const ENTRY: Entry = Entry {
+    name: "ideal-coherent-layer-peeling",
+    source: "Carr et al. 2008, Algorithm 2",
+    exact: true,
+    exactness: EXACT_BUT_NOT_SLICES,
+    ties: Ties::InOrderAfterSorting,
+    memory: Memory::PixelsAndTriangles,
+    volumes: Volumes::SlicesWhenAsked,
+    keeps: None,
+    needs: &[FETCH, INTERLOCK],
+};
+
+impl Technique for IdealOptions {
+    fn entry(&self) -> &'static Entry {
+        &ENTRY
+    }
+
+    fn algorithm(&self, _: &Setup) -> Box<dyn Algorithm> {
+        Box::new(IdealCoherentLayerPeeling::new(*self))
+    }
+
+    fn check(&self) -> Result<()> {
+        one_of_both(self.as_printed, self.tight_bound)
+    }
+}
+
+impl Published for IdealOptions {
+    const CHOICES: &'static [Setter<Self>] = &[
+        SORT.sets(|o, text| set(&mut o.sorting, text.parse())),
+        IMPROVE.sets(|o, list| {
+            for improvement in list.split(',') {
+                set(
+                    &mut o.tight_bound,
+                    word(improvement, &[("tight-bound", true)]),
+                )?;
+            }
+            Ok(())
+        }),
+        AS_PRINTED.sets(|o, _| set(&mut o.as_printed, Ok(true))),
+    ];
 }

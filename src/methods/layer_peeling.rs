@@ -4,40 +4,75 @@
 //! Everitt's depth peeling draws once per layer, because it composites the fragment that its depth test has kept. This
 //! draws twice, and composites *every* fragment at the depth that was found: ties stay in the order of submission.
 
+use super::algorithm::{Algorithm, Drawn, Setup};
+use super::allocate_maps::allocate_maps;
+use super::choice::{AS_PRINTED, Setter, set};
+use super::entry::{EXACT_BUT_NOT_SLICES, Entry, Memory, Ties, Volumes};
 use super::peeled::{Peeled, peeled};
-use super::{Algorithm, Drawn, allocate_maps};
+use super::technique::{Published, Technique};
 use crate::error::Result;
 use crate::gl::{Format, GlMachine};
 use crate::papers::carr_2008::hybrid;
 use crate::scene::Scene;
 use crate::steps::run;
 
-/// What can be chosen about layer peeling and hybrid layer peeling.
+/// What can be chosen about layer peeling.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct LayerPeelingOptions {
     /// The paper's text with nothing amended. Given up when it goes on for too long.
     pub as_printed: bool,
 }
 
-pub(super) struct LayerPeeling {
-    pub(super) options: Peeled,
-    pub(super) color: Format,
-    pub(super) depth: Format,
+struct LayerPeeling {
+    peeled: Peeled,
+    color: Format,
+    depth: Format,
 }
 
 impl Algorithm for LayerPeeling {
     fn prepare(&mut self, machine: &mut GlMachine<'_>, _: &Scene) -> Result<()> {
-        self.options.prepare(machine)?;
+        self.peeled.prepare(machine)?;
         allocate_maps(machine, &hybrid::RESOURCES, self.color, self.depth)
     }
 
     fn draw(&mut self, machine: &mut GlMachine<'_>, _: &Scene) -> Result<Drawn> {
         let outcome = run(
             &hybrid::LAYER_PEELING,
-            self.options.amendments(&hybrid::AMENDMENTS),
-            self.options.variables(),
+            self.peeled.amendments(&hybrid::AMENDMENTS),
+            self.peeled.variables(),
             machine,
         )?;
         Ok(peeled(&outcome))
     }
+}
+
+const ENTRY: Entry = Entry {
+    name: "layer-peeling",
+    source: "Carr et al. 2008, sections 1 and 8",
+    exact: true,
+    exactness: EXACT_BUT_NOT_SLICES,
+    ties: Ties::InOrder,
+    memory: Memory::Pixels,
+    volumes: Volumes::SlicesWhenAsked,
+    keeps: None,
+    needs: &[],
+};
+
+impl Technique for LayerPeelingOptions {
+    fn entry(&self) -> &'static Entry {
+        &ENTRY
+    }
+
+    fn algorithm(&self, setup: &Setup) -> Box<dyn Algorithm> {
+        Box::new(LayerPeeling {
+            peeled: Peeled::new(self.as_printed),
+            color: setup.color,
+            depth: setup.depth,
+        })
+    }
+}
+
+impl Published for LayerPeelingOptions {
+    const CHOICES: &'static [Setter<Self>] =
+        &[AS_PRINTED.sets(|o, _| set(&mut o.as_printed, Ok(true)))];
 }

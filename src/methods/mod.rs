@@ -1,117 +1,79 @@
 //! The methods: one file each, which reads like its paper, and the renderer that runs them.
+//!
+//! <!-- methods: generated from the registry -->
+//! | method | published | exact | fragments of equal depth | a full array keeps | memory |
+//! | --- | --- | --- | --- | --- | --- |
+//! | `blend` | Everitt 2001, figure 1b | no | each over those drawn before it |  | pixels |
+//! | `painter` | Carr et al. 2008, section 1 | no | each over those drawn before it |  | pixels + triangles |
+//! | `depth-peeling` | Everitt 2001; VTK | yes, but for ties; volumes as slices: no, an error of order 1 in the slices' distance | the first submitted, the others lost and counted |  | pixels (layers x pixels if they are kept) |
+//! | `dual-depth-peeling` | Bavoil and Myers 2008; VTK today | yes; volumes as slices: no, an error of order 1 in the slices' distance | order of submission |  | pixels |
+//! | `coplanar-depth-peeling` | Vasilakis and Fudos 2013 | yes; volumes as slices: no, an error of order 1 in the slices' distance | order of submission |  | pixels |
+//! | `layer-peeling` | Carr et al. 2008, sections 1 and 8 | yes; volumes as slices: no, an error of order 1 in the slices' distance | order of submission |  | pixels |
+//! | `hybrid-layer-peeling` | Carr et al. 2008, Algorithm 1 | yes; volumes as slices: no, an error of order 1 in the slices' distance | unsorted meshes before sorted ones |  | pixels + triangles |
+//! | `coherent-layer-peeling-a` | Carr et al. 2008, section 5 | yes; volumes as slices: no, an error of order 1 in the slices' distance | order of submission after sorting |  | pixels + triangles |
+//! | `coherent-layer-peeling-b` | Carr et al. 2008, section 6 | yes; volumes as slices: no, an error of order 1 in the slices' distance | order of submission after sorting |  | pixels + triangles |
+//! | `ideal-coherent-layer-peeling` | Carr et al. 2008, Algorithm 2 | yes; volumes as slices: no, an error of order 1 in the slices' distance | order of submission after sorting |  | pixels + triangles |
+//! | `ffb`, `ffb+ppao` | Lindholm et al. 2015 | yes, volumes by rays, too, up to 64 fragments a pixel (--array) | order of submission | the first submitted | pixels x layers, in bands |
+//! | `ffb+ppdp`, `ffb+ppao+ppdp` | Lindholm et al. 2015 | yes, volumes by rays, too | order of submission |  | pixels x layers, in bands |
+//! | `dfb`, `dfb+ppao` | Lindholm et al. 2015 | yes, volumes by rays, too, up to 64 fragments a pixel (--array) | order of submission | the first submitted | pixels + fragments, in bands |
+//! | `dfb+ppdp`, `dfb+ppao+ppdp` | Lindholm et al. 2015 | yes, volumes by rays, too | order of submission |  | pixels + fragments, in bands |
+//! | `ppll`, `ppll+ppao` | Lindholm et al. 2015 | yes, volumes by rays, too, up to 64 fragments a pixel (--array) | order of submission | the last submitted | pixels + fragments, in bands |
+//! | `ppll+ppdp`, `ppll+ppao+ppdp` | Lindholm et al. 2015 | yes, volumes by rays, too | order of submission |  | pixels + fragments, in bands |
+//! | `exact` | the oracle | yes, volumes by rays, too | order of submission |  | fragments, in pieces |
+//! <!-- /methods -->
+//!
+//! "a full array keeps" says which fragments of a pixel are in the image if the method's array has no room for all of them.
 
-mod a_buffer;
+#[macro_use]
+mod registry;
+
+macro_rules! declare {
+    ($($file:ident: $name:ident $(($options:ident))?,)*) => {
+        $(
+            mod $file;
+            pub use $file::*;
+        )*
+    };
+}
+
+every_method!(declare);
+
+mod algorithm;
 mod allocate_maps;
 mod batches;
-mod blend;
-mod coherent_layer_peeling;
+mod choice;
 mod complexity;
 pub mod coplanar;
-mod coplanar_depth_peeling;
-mod depth_peeling;
 mod depth_unit_0;
-mod dual_depth_peeling;
-mod exact;
+mod entry;
 mod hanging;
-mod hybrid_layer_peeling;
-mod ideal_coherent_layer_peeling;
 pub mod invariance;
 mod inverse_w;
 mod iteration_bound;
-mod layer_peeling;
-mod painter;
 mod peeled;
-mod registry;
+mod proxies;
 mod renderer;
 mod requirements;
 mod slicing;
 mod sorting;
 mod stats;
 #[cfg(test)]
+mod tables;
+mod technique;
+#[cfg(test)]
 mod volume_controls;
 
-pub use a_buffer::{
-    ABufferCounts, ABufferOptions, Band, Fill, Keep, LARGEST_NETWORK, Manager, RecordColor, Room,
-    Sort, bands,
-};
+pub use algorithm::{Algorithm, Composited, Drawn, Setup};
 pub use allocate_maps::allocate_maps;
 pub use batches::begin_batch;
-pub use coherent_layer_peeling::{CoherentOptions, Variant};
+pub use choice::{Choice, Takes};
 pub use complexity::{Bin, Complexity, CountBy};
-pub use coplanar_depth_peeling::CoplanarDepthPeelingOptions;
-pub use depth_peeling::{Compositing, DepthPeelingOptions};
 pub use depth_unit_0::{DepthSource, DepthUnit0, Place, Trial};
-pub use dual_depth_peeling::DualDepthPeelingOptions;
+pub use entry::{Entry, Memory, Ties, Volumes};
 pub use hanging::Hanging;
-pub use ideal_coherent_layer_peeling::{BufferAccess, IdealOptions};
-pub use layer_peeling::LayerPeelingOptions;
-pub use registry::{Entry, Method, registry};
+pub use registry::{Listed, Method, registry};
 pub use renderer::{Frame, Layer, Renderer};
 pub use slicing::{DEFAULT_SLICES, MOST_SLICES};
 pub use sorting::Sorting;
-pub use stats::{Peeling, Stats};
-
-use crate::error::Result;
-use crate::gl::GlMachine;
-use crate::image::Image;
-use crate::scene::Scene;
-use crate::steps::Reason;
-
-/// One published method, set up for a scene.
-trait Algorithm {
-    /// Gets what every frame needs: maps, framebuffers. Not part of a frame's time.
-    fn prepare(&mut self, machine: &mut GlMachine<'_>, scene: &Scene) -> Result<()>;
-
-    /// Draws one frame. The machine is in GL's initial state, but for the clear colour, which is the background's.
-    fn draw(&mut self, machine: &mut GlMachine<'_>, scene: &Scene) -> Result<Drawn>;
-
-    /// Counts what the last frame did or left out, where that takes draws or time that are no part of the method.
-    fn account(&mut self, _: &mut GlMachine<'_>, _: &mut Drawn) -> Result<()> {
-        Ok(())
-    }
-}
-
-/// What a method has done in a frame.
-#[derive(Debug, Default)]
-struct Drawn {
-    /// Rounds of its loop, the last one included even if it found nothing.
-    iterations: u32,
-    /// Layers that are in the image; nothing if the method has none.
-    layers: Option<u32>,
-    /// Fragments that are in the image; nothing if the method cannot tell.
-    composited: Composited,
-    /// Why its loop ended; nothing if it has none.
-    stopped: Option<Reason>,
-    /// Whether depth peeling was used.
-    peeling: Peeling,
-    /// What its lists have cost, if it has any.
-    a_buffer: Option<ABufferCounts>,
-    /// The image, if it is not in the map `image`.
-    image: Option<Image>,
-    /// Which pixels hang on depths that cannot be told apart, if the method has looked.
-    hanging: Option<Hanging>,
-}
-
-/// Which of the transparent fragments are in the image.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-enum Composited {
-    /// All, in whatever order.
-    #[default]
-    All,
-    /// So many.
-    Some(u64),
-    /// All but so many.
-    AllBut(u64),
-    /// The method cannot tell.
-    Unknown,
-}
-
-impl Composited {
-    /// How many, as far as that is known.
-    fn count(self) -> u64 {
-        match self {
-            Self::Some(count) => count,
-            Self::All | Self::AllBut(_) | Self::Unknown => 0,
-        }
-    }
-}
+pub use stats::{ABufferCounts, Peeling, Stats};
+pub use technique::Technique;

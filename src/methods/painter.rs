@@ -3,15 +3,19 @@
 //! Right where no two triangles intersect or overlap in a cycle, and where the nearer centroid is the nearer triangle
 //! (Carr et al. 2008, section 1: an object level approach).
 
+use super::algorithm::{Algorithm, Drawn, Setup};
 use super::blend::BLEND_IN_ORDER;
+use super::entry::{Entry, Memory, Ties, Volumes};
 use super::sorting::centroid_depth;
-use super::{Algorithm, Drawn};
+use super::technique::{Published, Technique};
 use crate::error::Result;
 use crate::gl::{Geometry, GlMachine};
 use crate::scene::Scene;
 use crate::steps::{Variables, run};
 
-pub(super) struct Painter;
+/// The painter's algorithm, which has no options.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Painter;
 
 impl Algorithm for Painter {
     fn prepare(&mut self, _: &mut GlMachine<'_>, _: &Scene) -> Result<()> {
@@ -51,3 +55,27 @@ fn back_to_front(scene: &Scene) -> Vec<[u32; 2]> {
     keyed.sort_by(|(a, _), (b, _)| b.total_cmp(a));
     keyed.into_iter().map(|(_, triangle)| triangle).collect()
 }
+
+const ENTRY: Entry = Entry {
+    name: "painter",
+    source: "Carr et al. 2008, section 1",
+    exact: false,
+    exactness: "no",
+    ties: Ties::OverEarlier,
+    memory: Memory::PixelsAndTriangles,
+    volumes: Volumes::SlicesWhenAsked,
+    keeps: None,
+    needs: &[],
+};
+
+impl Technique for Painter {
+    fn entry(&self) -> &'static Entry {
+        &ENTRY
+    }
+
+    fn algorithm(&self, _: &Setup) -> Box<dyn Algorithm> {
+        Box::new(Self)
+    }
+}
+
+impl Published for Painter {}

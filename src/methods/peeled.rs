@@ -1,7 +1,7 @@
 //! What the peeling loops of Carr et al. (2008) have in common: an end, and what they say of themselves.
 
+use super::algorithm::{Composited, Drawn};
 use super::iteration_bound::iteration_bound;
-use super::{Composited, Drawn};
 use crate::error::Result;
 use crate::gl::GlMachine;
 use crate::steps::{Amendment, Outcome, Reason, Variables};

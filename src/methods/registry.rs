@@ -1,357 +1,225 @@
 //! The registry: which methods there are. It feeds the command line, the help, the documentation and the tests.
 
 use std::fmt;
+use std::ops::Deref;
 use std::str::FromStr;
+use std::sync::LazyLock;
 
-use super::a_buffer::{ABufferOptions, Manager};
-use super::coherent_layer_peeling::{CoherentOptions, Variant};
-use super::coplanar_depth_peeling::CoplanarDepthPeelingOptions;
-use super::depth_peeling::DepthPeelingOptions;
-use super::dual_depth_peeling::DualDepthPeelingOptions;
-use super::ideal_coherent_layer_peeling::{self as ideal, IdealOptions};
-use super::layer_peeling::LayerPeelingOptions;
-use super::sorting::Sorting;
+use super::algorithm::{Algorithm, Setup};
+use super::choice::{Choice, Setter};
+use super::entry::Entry;
+use super::technique::{Published, Technique};
+use super::*;
 use crate::error::{Error, Result, did_you_mean};
-use crate::gl::Driver;
 
-/// A method with its options.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum Method {
-    /// Blending in the order of submission.
-    Blend,
-    /// Triangles sorted by centroid, then blended.
-    Painter,
-    /// Depth peeling, Everitt 2001 and VTK.
-    DepthPeeling(DepthPeelingOptions),
-    /// Dual depth peeling, Bavoil and Myers 2008.
-    DualDepthPeeling(DualDepthPeelingOptions),
-    /// Depth peeling that takes every fragment of each depth, after Vasilakis and Fudos 2013.
-    CoplanarDepthPeeling(CoplanarDepthPeelingOptions),
-    /// Layer peeling in two geometry passes an iteration, Carr et al. 2008.
-    LayerPeeling(LayerPeelingOptions),
-    /// Hybrid layer peeling, Carr et al. 2008, Algorithm 1.
-    HybridLayerPeeling(LayerPeelingOptions),
-    /// Coherent layer peeling, Carr et al. 2008, sections 5 and 6.
-    CoherentLayerPeeling(CoherentOptions),
-    /// Coherent layer peeling on an ideal GPU, Carr et al. 2008, Algorithm 2.
-    IdealCoherentLayerPeeling(IdealOptions),
-    /// A-buffers, Lindholm et al. 2015.
-    ABuffer(ABufferOptions),
-    /// Every fragment captured, sorted and composited in f64, with the volumes between them.
-    Exact,
+/// Every method in one line: its file, its name as a [`Method`], and the type of its options if it has any; in the order in
+/// which `compare` shows them. A method's file has its [`Entry`]; this list alone makes it a module, a [`Method`], a row of
+/// every table and a word on the command line.
+macro_rules! every_method {
+    ($receiver:ident) => {
+        $receiver! {
+            blend: Blend,
+            painter: Painter,
+            depth_peeling: DepthPeeling(DepthPeelingOptions),
+            dual_depth_peeling: DualDepthPeeling(DualDepthPeelingOptions),
+            coplanar_depth_peeling: CoplanarDepthPeeling(CoplanarDepthPeelingOptions),
+            layer_peeling: LayerPeeling(LayerPeelingOptions),
+            hybrid_layer_peeling: HybridLayerPeeling(HybridLayerPeelingOptions),
+            coherent_layer_peeling: CoherentLayerPeeling(CoherentOptions),
+            ideal_coherent_layer_peeling: IdealCoherentLayerPeeling(IdealOptions),
+            a_buffer: ABuffer(ABufferOptions),
+            exact: Exact,
+        }
+    };
 }
 
-/// What there is to know about a method before it runs.
+macro_rules! method {
+    ($($file:ident: $name:ident $(($options:ident))?,)*) => {
+        /// A published method with its options.
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        #[non_exhaustive]
+        pub enum Method {
+            $(#[doc = of!(doc $name $($options)?)] $name $(($options))?,)*
+        }
+
+        impl Method {
+            fn technique(&self) -> &dyn Technique {
+                match self {
+                    $(of!(pattern options $name $($options)?) => of!(value options $name $($options)?),)*
+                }
+            }
+
+            /// What can be chosen about it.
+            pub fn choices(&self) -> Vec<Choice> {
+                match self {
+                    $(of!(pattern _ $name $($options)?) => choices(of!(setters $name $($options)?)),)*
+                }
+            }
+
+            /// Chooses something by name. The value of a choice that takes none is not looked at.
+            ///
+            /// # Errors
+            /// If the method has no such choice, or the value is none for it. Whether values go together
+            /// [`Technique::check`] says.
+            pub fn choose(&mut self, name: &str, value: &str) -> Result<()> {
+                let method = *self;
+                match self {
+                    $(of!(pattern options $name $($options)?) => choose(method, of!(mutable options $name $($options)?), name, value),)*
+                }
+            }
+
+            fn all() -> Vec<Self> {
+                let mut all = Vec::new();
+                $(all.extend(of!(variants $name $($options)?));)*
+                all
+            }
+        }
+    };
+}
+
+/// What differs between a method with options and one without.
+macro_rules! of {
+    (doc $name:ident) => {
+        concat!(
+            "[`",
+            stringify!($name),
+            "`](crate::methods::",
+            stringify!($name),
+            "), without options."
+        )
+    };
+    (doc $name:ident $options:ident) => {
+        concat!("With its [`", stringify!($options), "`].")
+    };
+    (pattern $bound:tt $name:ident) => {
+        Self::$name
+    };
+    (pattern $bound:tt $name:ident $options:ident) => {
+        Self::$name($bound)
+    };
+    (value $bound:ident $name:ident) => {
+        &$name
+    };
+    (value $bound:ident $name:ident $options:ident) => {
+        $bound
+    };
+    (mutable $bound:ident $name:ident) => {
+        &mut $name
+    };
+    (mutable $bound:ident $name:ident $options:ident) => {
+        $bound
+    };
+    (setters $name:ident) => {
+        $name::CHOICES
+    };
+    (setters $name:ident $options:ident) => {
+        $options::CHOICES
+    };
+    (variants $name:ident) => {
+        $name::variants().into_iter().map(|$name| Self::$name)
+    };
+    (variants $name:ident $options:ident) => {
+        $options::variants().into_iter().map(Self::$name)
+    };
+}
+
+every_method!(method);
+
+fn choices<O>(setters: &[Setter<O>]) -> Vec<Choice> {
+    setters.iter().map(|setter| setter.choice).collect()
+}
+
+fn choose<O: Published>(method: Method, options: &mut O, name: &str, value: &str) -> Result<()> {
+    let setter = O::CHOICES.iter().find(|setter| setter.choice.name == name);
+    let Some(setter) = setter else {
+        return Err(refusal(method, name));
+    };
+    (setter.set)(options, value)
+}
+
+/// Says who has what this method does not have, and what it has instead.
+fn refusal(method: Method, name: &str) -> Error {
+    let who = registry().iter().filter(|row| row.method.has(name));
+    let who: Vec<_> = who.map(|row| row.name).collect();
+    let own: Vec<_> = method.choices().iter().map(|choice| choice.name).collect();
+    let own = match own.is_empty() {
+        true => format!("{method} has no options"),
+        false => format!("{method} has: {}", own.join(", ")),
+    };
+    let remedy = match who.is_empty() {
+        true => own,
+        false => format!("it is an option of {}; {own}", who.join(", ")),
+    };
+    Error::usage(format!("{method} has no option {name}"), remedy)
+}
+
+/// A row of the registry: a method with its default options, and what there is to know about it.
 #[derive(Clone, Copy, Debug)]
-pub struct Entry {
-    /// Its name on the command line.
-    pub name: &'static str,
-    /// With its default options.
+pub struct Listed {
+    /// The method.
     pub method: Method,
-    /// Where it is published.
-    pub source: &'static str,
-    /// Whether its image is exact when nothing stops it early, but for the rounding of the colours it keeps: of surfaces.
-    pub exact: bool,
-    /// Whether it is exact of volumes, too: a ray takes the samples that the oracle's takes, while slices have an error of
-    /// order 1 in their distance. None if it renders no volumes.
-    pub exact_volumes: Option<bool>,
-    /// Both in words, with what limits them.
-    pub exactness: &'static str,
-    /// What it keeps of a pixel that has more fragments than its array has room for ([`Keep`](super::Keep)); none if it
-    /// has no array that could be too small.
-    pub keeps: Option<&'static str>,
-    /// What becomes of fragments of equal depth.
-    pub ties: &'static str,
-    /// What its memory grows with.
-    pub memory: &'static str,
-    /// Extensions beyond OpenGL 4.3 of which it needs one; none if it needs none.
-    pub needs: &'static [&'static str],
+    /// Its entry, whose fields are the row's own: `row.name`.
+    pub entry: &'static Entry,
 }
 
-impl Entry {
-    /// Whether a driver offers what it needs.
-    pub fn runs_on(&self, driver: &Driver) -> bool {
-        self.needs.is_empty() || self.needs.iter().any(|extension| driver.has(extension))
+impl Deref for Listed {
+    type Target = Entry;
+
+    fn deref(&self) -> &Entry {
+        self.entry
     }
 }
 
 /// Every method, in the order in which `compare` shows them.
-pub const fn registry() -> &'static [Entry] {
-    ENTRIES
-}
-
-const DEPTH_PEELING: DepthPeelingOptions = DepthPeelingOptions {
-    maximum_number_of_peels: 0,
-    occlusion_ratio: 0.0,
-    compositing: super::depth_peeling::Compositing::OnTheFly,
-    as_printed: false,
-    depth_unit_0: super::depth_unit_0::DepthUnit0::Sampler,
-    amendments: &[],
-};
-
-const EXACT_BUT_NOT_SLICES: &str =
-    "yes; volumes as slices: no, an error of order 1 in the slices' distance";
-const EXACT_BUT_FOR_TIES: &str =
-    "yes, but for ties; volumes as slices: no, an error of order 1 in the slices' distance";
-const EXACT_BY_RAYS: &str = "yes, volumes by rays, too";
-
-const ENTRIES: &[Entry] = &[
-    Entry {
-        name: "blend",
-        method: Method::Blend,
-        source: "Everitt 2001, figure 1b",
-        exact: false,
-        exact_volumes: None,
-        exactness: "no",
-        keeps: None,
-        ties: "order of submission",
-        memory: "pixels",
-        needs: &[],
-    },
-    Entry {
-        name: "painter",
-        method: Method::Painter,
-        source: "Carr et al. 2008, section 1",
-        exact: false,
-        exact_volumes: Some(false),
-        exactness: "no",
-        keeps: None,
-        ties: "order of submission",
-        memory: "pixels + triangles",
-        needs: &[],
-    },
-    Entry {
-        name: "depth-peeling",
-        method: Method::DepthPeeling(DEPTH_PEELING),
-        source: "Everitt 2001; VTK",
-        exact: true,
-        exact_volumes: Some(false),
-        exactness: EXACT_BUT_FOR_TIES,
-        keeps: None,
-        ties: "the first submitted, the others lost and counted",
-        memory: "pixels (layers x pixels if they are kept)",
-        needs: &[],
-    },
-    Entry {
-        name: "dual-depth-peeling",
-        method: Method::DualDepthPeeling(DualDepthPeelingOptions {
-            maximum_number_of_peels: 0,
-            occlusion_ratio: 0.0,
-            amendments: &[],
-        }),
-        source: "Bavoil and Myers 2008; VTK today",
-        exact: true,
-        exact_volumes: Some(false),
-        exactness: EXACT_BUT_NOT_SLICES,
-        keeps: None,
-        ties: "order of submission",
-        memory: "pixels",
-        needs: &[],
-    },
-    Entry {
-        name: "coplanar-depth-peeling",
-        method: Method::CoplanarDepthPeeling(CoplanarDepthPeelingOptions {
-            maximum_number_of_peels: 0,
-        }),
-        source: "Vasilakis and Fudos 2013",
-        exact: true,
-        exact_volumes: Some(false),
-        exactness: EXACT_BUT_NOT_SLICES,
-        keeps: None,
-        ties: "order of submission",
-        memory: "pixels",
-        needs: &[],
-    },
-    Entry {
-        name: "layer-peeling",
-        method: Method::LayerPeeling(LayerPeelingOptions { as_printed: false }),
-        source: "Carr et al. 2008, sections 1 and 8",
-        exact: true,
-        exact_volumes: Some(false),
-        exactness: EXACT_BUT_NOT_SLICES,
-        keeps: None,
-        ties: "order of submission",
-        memory: "pixels",
-        needs: &[],
-    },
-    Entry {
-        name: "hybrid-layer-peeling",
-        method: Method::HybridLayerPeeling(LayerPeelingOptions { as_printed: false }),
-        source: "Carr et al. 2008, Algorithm 1",
-        exact: true,
-        exact_volumes: Some(false),
-        exactness: EXACT_BUT_NOT_SLICES,
-        keeps: None,
-        ties: "unsorted meshes before sorted ones",
-        memory: "pixels, triangles",
-        needs: &[],
-    },
-    Entry {
-        name: "coherent-layer-peeling-a",
-        method: Method::CoherentLayerPeeling(COHERENT_A),
-        source: "Carr et al. 2008, section 5",
-        exact: true,
-        exact_volumes: Some(false),
-        exactness: EXACT_BUT_NOT_SLICES,
-        keeps: None,
-        ties: "order of submission after sorting",
-        memory: "pixels, triangles",
-        needs: &[],
-    },
-    Entry {
-        name: "coherent-layer-peeling-b",
-        method: Method::CoherentLayerPeeling(COHERENT_B),
-        source: "Carr et al. 2008, section 6",
-        exact: true,
-        exact_volumes: Some(false),
-        exactness: EXACT_BUT_NOT_SLICES,
-        keeps: None,
-        ties: "order of submission after sorting",
-        memory: "pixels, triangles",
-        needs: &[],
-    },
-    Entry {
-        name: "ideal-coherent-layer-peeling",
-        method: Method::IdealCoherentLayerPeeling(IdealOptions {
-            sorting: SORTING,
-            tight_bound: false,
-            as_printed: false,
-            access: ideal::BufferAccess::Best,
-        }),
-        source: "Carr et al. 2008, Algorithm 2",
-        exact: true,
-        exact_volumes: Some(false),
-        exactness: EXACT_BUT_NOT_SLICES,
-        keeps: None,
-        ties: "order of submission after sorting",
-        memory: "pixels, triangles",
-        needs: ideal::NEEDS,
-    },
-    a_buffer("ffb", Manager::Ffb, false, false),
-    a_buffer("ffb+ppao", Manager::Ffb, true, false),
-    a_buffer("ffb+ppdp", Manager::Ffb, false, true),
-    a_buffer("ffb+ppao+ppdp", Manager::Ffb, true, true),
-    a_buffer("dfb", Manager::Dfb, false, false),
-    a_buffer("dfb+ppao", Manager::Dfb, true, false),
-    a_buffer("dfb+ppdp", Manager::Dfb, false, true),
-    a_buffer("dfb+ppao+ppdp", Manager::Dfb, true, true),
-    a_buffer("ppll", Manager::Ppll, false, false),
-    a_buffer("ppll+ppao", Manager::Ppll, true, false),
-    a_buffer("ppll+ppdp", Manager::Ppll, false, true),
-    a_buffer("ppll+ppao+ppdp", Manager::Ppll, true, true),
-    Entry {
-        name: "exact",
-        method: Method::Exact,
-        source: "the oracle",
-        exact: true,
-        exact_volumes: Some(true),
-        exactness: EXACT_BY_RAYS,
-        keeps: None,
-        ties: "order of submission",
-        memory: "fragments, in pieces",
-        needs: &[],
-    },
-];
-
-/// An A-buffer's entry. `static` is the paper's word for the array without ppAO and ppDP.
-const fn a_buffer(name: &'static str, manager: Manager, pp_ao: bool, pp_dp: bool) -> Entry {
-    Entry {
-        name,
-        method: Method::ABuffer(ABufferOptions {
-            manager,
-            pp_ao,
-            pp_dp,
-            ..ABufferOptions::DEFAULT
-        }),
-        source: "Lindholm et al. 2015",
-        exact: true,
-        exact_volumes: Some(true),
-        exactness: match pp_dp {
-            true => EXACT_BY_RAYS,
-            false => "yes, volumes by rays, too, up to 64 fragments a pixel (--array)",
-        },
-        keeps: match (pp_dp, manager) {
-            (true, _) => None,
-            (false, Manager::Ffb | Manager::Dfb) => Some("the first submitted"),
-            (false, Manager::Ppll) => Some("the last submitted"),
-        },
-        ties: "order of submission",
-        memory: match manager {
-            Manager::Ffb => "pixels x layers, in bands",
-            Manager::Dfb | Manager::Ppll => "pixels + fragments, in bands",
-        },
-        needs: &[],
-    }
-}
-
-const SORTING: Sorting = Sorting::Buckets(256);
-
-const COHERENT_A: CoherentOptions = coherent(Variant::A);
-const COHERENT_B: CoherentOptions = coherent(Variant::B);
-
-const fn coherent(variant: Variant) -> CoherentOptions {
-    CoherentOptions {
-        variant,
-        sorting: SORTING,
-        tie_friendly: false,
-        stop_early: false,
-        batches: 0,
-        as_printed: false,
-        amendments: &[],
-    }
+pub fn registry() -> &'static [Listed] {
+    static REGISTRY: LazyLock<Vec<Listed>> = LazyLock::new(|| {
+        let rows = Method::all().into_iter().map(|method| Listed {
+            method,
+            entry: method.entry(),
+        });
+        rows.collect()
+    });
+    &REGISTRY
 }
 
 impl Method {
     /// Its name in the registry.
-    pub const fn name(&self) -> &'static str {
-        match self {
-            Self::Blend => "blend",
-            Self::Painter => "painter",
-            Self::DepthPeeling(_) => "depth-peeling",
-            Self::DualDepthPeeling(_) => "dual-depth-peeling",
-            Self::CoplanarDepthPeeling(_) => "coplanar-depth-peeling",
-            Self::LayerPeeling(_) => "layer-peeling",
-            Self::HybridLayerPeeling(_) => "hybrid-layer-peeling",
-            Self::CoherentLayerPeeling(options) => match options.variant {
-                Variant::A => "coherent-layer-peeling-a",
-                Variant::B => "coherent-layer-peeling-b",
-            },
-            Self::IdealCoherentLayerPeeling(_) => "ideal-coherent-layer-peeling",
-            Self::ABuffer(options) => options.name(),
-            Self::Exact => "exact",
-        }
+    pub fn name(&self) -> &'static str {
+        self.entry().name
     }
 
-    /// Whether it renders volumes, too, without being asked to draw them as slices; the others refuse a scene with
-    /// volumes.
-    pub const fn renders_volumes(&self) -> bool {
-        self.casts_rays() || matches!(self, Self::HybridLayerPeeling(_))
-    }
-
-    /// Whether it casts rays through volumes.
-    pub const fn casts_rays(&self) -> bool {
-        matches!(self, Self::Exact | Self::ABuffer(_))
-    }
-
-    /// Whether it can draw volumes as slices ([`Renderer::with_slices`](super::Renderer::with_slices)): whatever draws
-    /// surfaces in an order that is more than that of submission.
-    pub const fn takes_slices(&self) -> bool {
-        !self.casts_rays() && !matches!(self, Self::Blend)
+    /// Whether something of this name can be chosen about it.
+    pub fn has(&self, name: &str) -> bool {
+        self.choices().iter().any(|choice| choice.name == name)
     }
 
     /// Its entry in the registry.
     pub fn entry(&self) -> &'static Entry {
-        registry()
-            .iter()
-            .find(|entry| entry.name == self.name())
-            .expect("every method is in the registry")
+        self.technique().entry()
+    }
+}
+
+impl Technique for Method {
+    fn entry(&self) -> &'static Entry {
+        self.technique().entry()
+    }
+
+    fn algorithm(&self, setup: &Setup) -> Box<dyn Algorithm> {
+        self.technique().algorithm(setup)
+    }
+
+    fn check(&self) -> Result<()> {
+        self.technique().check()
+    }
+
+    fn needs_window_depth(&self) -> Option<&'static str> {
+        self.technique().needs_window_depth()
     }
 }
 
 impl fmt::Display for Method {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
+        f.pad(self.name())
     }
 }
 
@@ -360,16 +228,56 @@ impl FromStr for Method {
 
     /// A method by its name, with its default options.
     fn from_str(name: &str) -> Result<Self> {
-        registry()
-            .iter()
-            .find(|entry| entry.name == name)
-            .map(|entry| entry.method)
-            .ok_or_else(|| {
-                let names: Vec<_> = registry().iter().map(|entry| entry.name).collect();
-                Error::usage(
-                    format!("there is no method '{name}'"),
-                    did_you_mean(name, &names),
-                )
-            })
+        let found = registry().iter().find(|row| row.name == name);
+        found.map(|row| row.method).ok_or_else(|| {
+            let names: Vec<_> = registry().iter().map(|row| row.name).collect();
+            Error::usage(
+                format!("there is no method '{name}'"),
+                did_you_mean(name, &names),
+            )
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::methods::Takes;
+
+    #[test]
+    fn every_word_that_is_offered_can_be_chosen_and_no_other() {
+        for row in registry() {
+            for choice in row.method.choices() {
+                let mut method = row.method;
+                match choice.takes {
+                    Takes::Nothing => method.choose(choice.name, "").unwrap(),
+                    Takes::Word(words) => {
+                        let mut choose = |word| method.choose(choice.name, word);
+                        words.iter().for_each(|(word, _)| choose(word).unwrap());
+                        assert!(choose("").is_err(), "{} {}", row.name, choice.name);
+                    }
+                    Takes::Value(_) => {
+                        assert!(method.choose(choice.name, "").is_err(), "{}", choice.name);
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn names_are_unique_and_lead_back_to_their_methods() {
+        for row in registry() {
+            assert_eq!(row.name.parse::<Method>().unwrap(), row.method);
+            assert_eq!(row.method.entry(), row.entry);
+        }
+        let error = "peeling".parse::<Method>().unwrap_err().to_string();
+        assert!(error.contains("depth-peeling"), "{error}");
+    }
+
+    #[test]
+    fn what_another_method_has_is_refused_and_its_owner_named() {
+        let error = Method::Blend.choose("peels", "0").unwrap_err().to_string();
+        assert!(error.contains("blend has no option peels"), "{error}");
+        assert!(error.contains("coplanar-depth-peeling"), "{error}");
     }
 }

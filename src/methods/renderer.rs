@@ -3,23 +3,16 @@
 use std::borrow::Cow;
 use std::time::{Duration, Instant};
 
-use super::a_buffer::{ABuffer, fused};
-use super::coherent_layer_peeling::CoherentLayerPeeling;
-use super::coplanar_depth_peeling::CoplanarDepthPeeling;
-use super::depth_peeling::DepthPeeling;
-use super::dual_depth_peeling::DualDepthPeeling;
-use super::hybrid_layer_peeling::HybridLayerPeeling;
-use super::ideal_coherent_layer_peeling::IdealCoherentLayerPeeling;
-use super::layer_peeling::LayerPeeling;
-use super::peeled::Peeled;
-use super::{
-    Algorithm, Composited, Drawn, Hanging, Method, Stats, allocate_maps, blend, exact, inverse_w,
-    painter, slicing,
-};
+use super::algorithm::{Algorithm, Composited, Drawn, Setup};
+use super::allocate_maps::allocate_maps;
+use super::hanging::Hanging;
+use super::proxies::proxies;
+use super::stats::Stats;
+use super::technique::Technique;
+use super::{inverse_w, slicing};
 use crate::error::Result;
 use crate::gl::{Context, Format, Geometry, GlMachine};
 use crate::image::Image;
-use crate::oracle::DepthBuffer;
 use crate::papers::stage;
 use crate::scene::{Camera, Scene};
 use crate::steps::{Call, Machine, Map, Variables, run};
@@ -53,7 +46,7 @@ pub struct Frame {
     pub image: Image,
     /// The layers, nearest first, if the method keeps them.
     pub layers: Vec<Layer>,
-    /// Which pixels hang on depths that a depth buffer cannot tell apart, if the method is [`Method::Exact`].
+    /// Which pixels hang on depths that a depth buffer cannot tell apart, if the method is [`Method::Exact`](super::Method::Exact).
     pub hanging: Option<Hanging>,
     /// The counts, and the time.
     pub stats: Stats,
@@ -157,7 +150,7 @@ impl<'c> Renderer<'c> {
     ///
     /// # Errors
     /// What the method or the driver cannot do.
-    pub fn render(&mut self, scene: &Scene, method: &Method) -> Result<Frame> {
+    pub fn render(&mut self, scene: &Scene, method: &dyn Technique) -> Result<Frame> {
         let _visit = self.machine.context().visit()?;
         let shown = self.set_up_for(scene, method)?;
         let scene = &*shown.scene;
@@ -173,7 +166,12 @@ impl<'c> Renderer<'c> {
     ///
     /// # Errors
     /// As [`Renderer::render`].
-    pub fn measure(&mut self, scene: &Scene, method: &Method, frames: usize) -> Result<Frame> {
+    pub fn measure(
+        &mut self,
+        scene: &Scene,
+        method: &dyn Technique,
+        frames: usize,
+    ) -> Result<Frame> {
         let _visit = self.machine.context().visit()?;
         let shown = self.set_up_for(scene, method)?;
         let scene = &*shown.scene;
@@ -194,7 +192,7 @@ impl<'c> Renderer<'c> {
     }
 
     /// Copies the last frame's image into the default framebuffer, which a window shows; the lower left corners meet.
-    /// Not for [`Method::Exact`], whose image is made outside of GL.
+    /// Not for [`Method::Exact`](super::Method::Exact), whose image is made outside of GL.
     ///
     /// # Errors
     /// If nothing has been rendered yet.
@@ -213,8 +211,8 @@ impl<'c> Renderer<'c> {
 
     /// Uploads the scene as the method draws it, and answers that: with slices instead of volumes, if it does not cast
     /// rays.
-    fn set_up_for<'s>(&mut self, scene: &'s Scene, method: &Method) -> Result<Shown<'s>> {
-        let slices = slicing::slices(scene, method, self.slices)?;
+    fn set_up_for<'s>(&mut self, scene: &'s Scene, method: &dyn Technique) -> Result<Shown<'s>> {
+        let slices = slicing::slices(scene, method.entry(), self.slices)?;
         if self.inverse_w {
             inverse_w::check(method, self.depth)?;
         }
@@ -257,47 +255,14 @@ impl<'c> Renderer<'c> {
     }
 
     /// The scene is set up.
-    fn prepare(&mut self, shown: &Shown<'_>, method: &Method) -> Result<Box<dyn Algorithm>> {
+    fn prepare(&mut self, shown: &Shown<'_>, method: &dyn Technique) -> Result<Box<dyn Algorithm>> {
         let machine = &mut self.machine;
-        let mut algorithm: Box<dyn Algorithm> = match method {
-            Method::Blend => Box::new(blend::Blend),
-            Method::Painter => Box::new(painter::Painter),
-            Method::DepthPeeling(options) => {
-                Box::new(DepthPeeling::new(*options, self.color, self.depth))
-            }
-            Method::ABuffer(options) => Box::new(ABuffer::new(*options, self.counts_costs)),
-            Method::LayerPeeling(options) => Box::new(LayerPeeling {
-                options: Peeled::new(options.as_printed),
-                color: self.color,
-                depth: self.depth,
-            }),
-            Method::HybridLayerPeeling(options) => Box::new(HybridLayerPeeling {
-                options: Peeled::new(options.as_printed),
-                color: self.color,
-                depth: self.depth,
-            }),
-            Method::CoherentLayerPeeling(options) => {
-                Box::new(CoherentLayerPeeling::new(*options, self.color, self.depth))
-            }
-            Method::IdealCoherentLayerPeeling(options) => {
-                Box::new(IdealCoherentLayerPeeling::new(*options))
-            }
-            Method::DualDepthPeeling(options) => Box::new(DualDepthPeeling {
-                options: *options,
-                color: self.color,
-                end: Variables::new(),
-            }),
-            Method::CoplanarDepthPeeling(options) => {
-                Box::new(CoplanarDepthPeeling::new(*options, self.color, self.depth))
-            }
-            Method::Exact => Box::new(exact::Exact {
-                drawn: match self.inverse_w {
-                    true => DepthBuffer::float(&shown.scene.camera, machine.size()).of_inverse_w(),
-                    false => depth_buffer(&shown.scene.camera, machine.size(), self.depth),
-                },
-                given: depth_buffer(&shown.given, machine.size(), self.depth),
-            }),
-        };
+        let mut algorithm = method.algorithm(&Setup {
+            color: self.color,
+            depth: self.depth,
+            counts_costs: self.counts_costs,
+            given: shown.given,
+        });
         algorithm.prepare(machine, &shown.scene)?;
         Ok(algorithm)
     }
@@ -327,7 +292,7 @@ impl<'c> Renderer<'c> {
     fn finish(
         &mut self,
         shown: &Shown<'_>,
-        method: &Method,
+        method: &dyn Technique,
         drawn: Drawn,
         ms: f64,
     ) -> Result<Frame> {
@@ -336,11 +301,9 @@ impl<'c> Renderer<'c> {
             Some(image) => image,
             None => self.image(stage::IMAGE_COLOR)?,
         };
-        let layers = match method {
-            Method::DepthPeeling(options) if options.keeps_layers() => {
-                self.layers(drawn.layers.unwrap_or(0))?
-            }
-            _ => Vec::new(),
+        let layers = match drawn.keeps_layers {
+            true => self.layers(drawn.layers.unwrap_or(0))?,
+            false => Vec::new(),
         };
         let fragments = self.count_fragments(&shown.scene)?;
         let lost = match drawn.composited {
@@ -350,10 +313,11 @@ impl<'c> Renderer<'c> {
             Composited::Unknown => None,
         };
         // Without it, what a driver had no room for would only be missing in the image.
+        let method = method.entry().name;
         self.machine
             .expect_no_error(&format!("while {method} rendered the frame"))?;
         let stats = Stats {
-            method: method.to_string(),
+            method: method.into(),
             iterations: drawn.iterations,
             geometry_passes: counts.geometry_passes,
             layers: drawn.layers,
@@ -406,20 +370,11 @@ impl<'c> Renderer<'c> {
         self.begin(scene)?;
         run(
             &stage::COUNT,
-            fused(scene),
+            proxies(scene),
             Variables::new(),
             &mut self.machine,
         )?;
         self.machine.samples(stage::FRAGMENTS)
-    }
-}
-
-fn depth_buffer(camera: &Camera, size: [u32; 2], format: Format) -> DepthBuffer {
-    let float = DepthBuffer::float(camera, size);
-    match format {
-        Format::Depth24 | Format::Depth24Stencil8 => float.with_bits(24),
-        Format::Depth16 => float.with_bits(16),
-        _ => float,
     }
 }
 

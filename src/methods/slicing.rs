@@ -1,6 +1,7 @@
 //! Volumes for methods that draw surfaces only: as slices (Carr et al. 2008, whose sorted geometry they are).
 
-use super::{Method, registry};
+use super::entry::{Entry, Volumes};
+use super::registry::registry;
 use crate::error::{Error, Result};
 use crate::scene::Scene;
 
@@ -25,28 +26,32 @@ pub(super) fn check(count: u32) -> Result<()> {
 ///
 /// # Errors
 /// The method would leave the volumes out in silence.
-pub(super) fn slices(scene: &Scene, method: &Method, asked: Option<u32>) -> Result<Option<u32>> {
-    if scene.volumes.is_empty() || method.casts_rays() {
+pub(super) fn slices(scene: &Scene, method: &Entry, asked: Option<u32>) -> Result<Option<u32>> {
+    if scene.volumes.is_empty() || method.volumes == Volumes::Rays {
         return Ok(None);
     }
-    let unasked = method.renders_volumes().then_some(DEFAULT_SLICES);
+    let unasked = method.volumes.are_rendered().then_some(DEFAULT_SLICES);
     match asked.or(unasked) {
-        Some(count) if method.takes_slices() => Ok(Some(count)),
+        Some(count) if method.volumes.take_slices() => Ok(Some(count)),
         _ => Err(refusal(scene, method)),
     }
 }
 
-fn refusal(scene: &Scene, method: &Method) -> Error {
+fn refusal(scene: &Scene, method: &Entry) -> Error {
     let entries = registry().iter();
-    let able = entries.filter(|entry| entry.method.renders_volumes());
+    let able = entries.filter(|entry| entry.volumes.are_rendered());
     let able: Vec<_> = able.map(|entry| entry.name).collect();
     let mut remedy = format!("volumes are rendered by: {}", able.join(", "));
-    if method.takes_slices() {
-        remedy += &format!("; or have {method} draw them as N slices, with --slices N");
+    if method.volumes.take_slices() {
+        remedy += &format!(
+            "; or have {} draw them as N slices, with --slices N",
+            method.name
+        );
     }
     Error::usage(
         format!(
-            "{method} draws surfaces only, and the scene has volumes ({})",
+            "{} draws surfaces only, and the scene has volumes ({})",
+            method.name,
             scene.volumes.len()
         ),
         remedy,

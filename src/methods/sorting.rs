@@ -3,6 +3,10 @@
 //!
 //! It is done up front, for one view; a frame's time does not contain it.
 
+use std::str::FromStr;
+
+use super::choice::{Choice, Takes};
+use crate::error::{Error, Result};
 use crate::scene::{Mesh, Scene};
 
 /// In which order transparent triangles are submitted.
@@ -19,12 +23,44 @@ pub enum Sorting {
     Reversed(u32),
 }
 
+pub(super) const SORT: Choice = Choice {
+    name: "sort",
+    takes: Takes::Value("HOW"),
+    help: "How triangles are sorted beforehand: submission, objects, reversed or buckets=N [default: buckets=256]",
+};
+
 impl Default for Sorting {
     /// 256 buckets: on the bundled scenes more saved no iteration (`benches/carr.rs`), and every bucket may cost a draw call
     /// per mesh.
     fn default() -> Self {
         Self::Buckets(256)
     }
+}
+
+impl FromStr for Sorting {
+    type Err = Error;
+
+    /// `submission`, `objects`, `buckets`, `reversed`, or `buckets=N`.
+    fn from_str(text: &str) -> Result<Self> {
+        match text.split_once('=') {
+            None if text == "submission" => Ok(Self::Submission),
+            None if text == "objects" => Ok(Self::Objects),
+            None if text == "buckets" => Ok(Self::default()),
+            None if text == "reversed" => Ok(Self::Reversed(256)),
+            Some(("buckets", count)) if count.parse::<u32>().is_ok_and(is_within_reason) => {
+                Ok(Self::Buckets(count.parse().unwrap_or(1)))
+            }
+            _ => Err(Error::usage(
+                format!("'{text}' is no way to sort"),
+                "write submission, objects, reversed, or buckets=N with N from 1 to 16777216",
+            )),
+        }
+    }
+}
+
+/// Whether so many buckets still fit into memory.
+fn is_within_reason(buckets: u32) -> bool {
+    (1..=1 << 24).contains(&buckets)
 }
 
 impl Sorting {

@@ -2,7 +2,6 @@
 
 use std::fmt;
 
-use super::ABufferCounts;
 use crate::steps::Reason;
 
 /// The facts of a frame. Everything but `ms` is a count and the same on every run.
@@ -35,6 +34,29 @@ pub struct Stats {
     /// The median of several frames after [`measure`](super::Renderer::measure); after
     /// [`render`](super::Renderer::render) it is the one frame's, the compilation of its shaders included.
     pub ms: f64,
+}
+
+/// What an A-buffer has cost; none of it depends on the machine.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct ABufferCounts {
+    /// Bands the image was rendered in.
+    pub bands: u32,
+    /// Bytes of the lists: records, links, base offsets, for the largest band.
+    pub list_bytes: u64,
+    /// Records read from the lists.
+    pub records_read: u64,
+    /// Subpasses of all pixels: how often a list was walked.
+    pub subpasses: u64,
+    /// The most subpasses of a pixel.
+    pub most_subpasses: u32,
+    /// Elements of Local Arrays, all pixels together (figure 5).
+    pub slots_reserved: u64,
+    /// How many of them held a fragment at some time; the others are figure 5's grey areas.
+    pub slots_used: u64,
+    /// Pixels that lost fragments.
+    pub truncated_pixels: u64,
+    /// Pixels that ppAO's segments have resolved, each time counted; 0 without ppAO.
+    pub resolved: u64,
 }
 
 /// VTK's question, "was depth peeling actually used", with the answer's reason.

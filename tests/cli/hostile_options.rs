@@ -78,6 +78,8 @@ fn options_of_methods_out_of_their_ranges() {
         (&["--occlusion-ratio", "nan"], &["occlusion ratio"]),
         (&["--depth-unit-0", "magic"], &["'magic'", "sampler"]),
         (&["-m", "blend", "--peels", "3"], &["blend has no"]),
+        // Given with the value that it has where it is not given, too.
+        (&["-m", "exact", "--peels", "0"], &["exact has no --peels"]),
         (&["-m", "exact", "--as-printed"], &["exact has no"]),
         (&["-m", "ffb", "--peels", "3"], &["ffb"]),
         (&["-m", "ffb", "--array", "0"], &["array"]),
@@ -99,7 +101,7 @@ fn options_of_methods_out_of_their_ranges() {
         (&["-m", "ffb", "--record-color", "red"], &["'red'", "half"]),
         (
             &["-m", "painter", "--array", "8"],
-            &["painter has none of the options of A-buffers"],
+            &["painter has no --array", "ffb, dfb, ppll"],
         ),
         (
             &["-m", "coherent-layer-peeling-a", "--sort", "buckets=0"],
@@ -133,7 +135,7 @@ fn options_of_methods_out_of_their_ranges() {
                 "--improve",
                 "early-stop",
             ],
-            &["improvement"],
+            &["early-stop", "tight-bound"],
         ),
         (
             &["-m", "hybrid-layer-peeling", "--slices", "0"],

@@ -5,7 +5,9 @@ use crate::kit::bounds::F32;
 use crate::kit::stack;
 use onionskin::gl::Format;
 use onionskin::image::Comparison;
-use onionskin::methods::{ABufferOptions, CountBy, Fill, Frame, Manager, RecordColor, Sort};
+use onionskin::methods::{
+    ABufferOptions, CountBy, Fill, Frame, Manager, RecordColor, Sort, Technique,
+};
 use onionskin::{Context, Method, Renderer, Scene};
 use proptest::test_runner::{TestCaseError, TestError};
 

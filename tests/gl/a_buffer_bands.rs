@@ -94,7 +94,7 @@ fn large_images_are_the_same_in_bands() {
         assert!(images[0].0 == images[1].0, "{size:?}");
         if size[0] < 2000 {
             let peeled = renderer
-                .render(&scene, &"depth-peeling".parse().unwrap())
+                .render(&scene, &"depth-peeling".parse::<Method>().unwrap())
                 .unwrap();
             let error = Comparison::new(&images[0].0, &peeled.image, F16).unwrap();
             assert!(

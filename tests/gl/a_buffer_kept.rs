@@ -8,7 +8,9 @@ use std::cell::RefCell;
 use onionskin::emulator::run_on_lists;
 use onionskin::fragment::Fragment;
 use onionskin::image::{Comparison, Image};
-use onionskin::methods::{ABufferOptions, Fill, Keep, Manager, RecordColor, Sort, registry};
+use onionskin::methods::{
+    ABufferOptions, Fill, Keep, Manager, RecordColor, Sort, Technique, registry,
+};
 use onionskin::papers::lindholm_2015::components::{
     KEEP_NEAREST, PP_AO, PP_AO_KEEPING_NEAREST, PP_AO_WITHOUT_PP_DP, STATIC_ARRAY,
 };

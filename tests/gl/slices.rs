@@ -228,7 +228,7 @@ fn every_method_that_takes_slices_gives_one_image() {
         let image_of_pane = render(&context, &pane, &hybrid(), 40).image;
         for entry in registry()
             .iter()
-            .filter(|entry| entry.method.takes_slices())
+            .filter(|entry| entry.volumes.take_slices())
         {
             if !entry.runs_on(context.driver()) {
                 println!("skipped: {}", entry.name);

@@ -194,7 +194,7 @@ fn many_frames_of_all_methods_in_turn_take_no_more_memory() {
     let mut renderer = renderer(&context);
     let methods = all_methods();
     let mut round = || -> Vec<u64> {
-        let bytes = |method| renderer.render(&scene, method).unwrap().stats.bytes;
+        let bytes = |method: &Method| renderer.render(&scene, method).unwrap().stats.bytes;
         methods.iter().map(bytes).collect()
     };
     let first = round();

@@ -249,7 +249,7 @@ fn contexts() -> (Context, Context) {
 fn refusal(guest: &Context) -> String {
     let mut renderer = Renderer::new(guest, 16, 16).unwrap();
     renderer
-        .render(&surfaces(), &"exact".parse().unwrap())
+        .render(&surfaces(), &"exact".parse::<Method>().unwrap())
         .unwrap_err()
         .to_string()
 }

@@ -2,7 +2,9 @@
 
 use onionskin::Method;
 use onionskin::image::Comparison;
-use onionskin::methods::{Frame, IdealOptions, LayerPeelingOptions, Sorting};
+use onionskin::methods::{
+    Frame, HybridLayerPeelingOptions, IdealOptions, LayerPeelingOptions, Sorting,
+};
 
 pub fn ideal(sorting: Sorting) -> Method {
     Method::IdealCoherentLayerPeeling(IdealOptions {
@@ -12,7 +14,8 @@ pub fn ideal(sorting: Sorting) -> Method {
 }
 
 pub const LAYERS: Method = Method::LayerPeeling(LayerPeelingOptions { as_printed: false });
-pub const HYBRID: Method = Method::HybridLayerPeeling(LayerPeelingOptions { as_printed: false });
+pub const HYBRID: Method =
+    Method::HybridLayerPeeling(HybridLayerPeelingOptions { as_printed: false });
 
 pub fn error(frame: &Frame, exact: &Frame) -> f64 {
     Comparison::new(&frame.image, &exact.image, 0.0)

@@ -19,6 +19,7 @@
 
 mod array_sort;
 mod bands;
+mod choices;
 mod lists;
 mod loops;
 mod options;
@@ -28,9 +29,15 @@ pub use options::{ABufferOptions, Fill, Keep, LARGEST_NETWORK, Manager, RecordCo
 
 use array_sort::inserts;
 use bands::deepest;
+use choices::CHOICES;
 use options::SMALLEST_SEGMENT;
 
-use super::{Algorithm, Composited, Drawn};
+use super::algorithm::{Algorithm, Composited, Drawn, Setup};
+use super::choice::Setter;
+use super::entry::{EXACT_BY_RAYS, Entry, Memory, Ties, Volumes};
+use super::proxies::proxies;
+use super::stats::ABufferCounts;
+use super::technique::{Published, Technique};
 use crate::error::{Error, Result};
 use crate::gl::{Format, GlMachine, Texels, largest_storage};
 use crate::papers::lindholm_2015 as paper;
@@ -38,31 +45,8 @@ use crate::papers::stage;
 use crate::scene::Scene;
 use crate::steps::{Amendment, Machine, Reason, Variables, run};
 
-/// What an A-buffer has cost; none of it depends on the machine.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct ABufferCounts {
-    /// Bands the image was rendered in.
-    pub bands: u32,
-    /// Bytes of the lists: records, links, base offsets, for the largest band.
-    pub list_bytes: u64,
-    /// Records read from the lists.
-    pub records_read: u64,
-    /// Subpasses of all pixels: how often a list was walked.
-    pub subpasses: u64,
-    /// The most subpasses of a pixel.
-    pub most_subpasses: u32,
-    /// Elements of Local Arrays, all pixels together (figure 5).
-    pub slots_reserved: u64,
-    /// How many of them held a fragment at some time; the others are figure 5's grey areas.
-    pub slots_used: u64,
-    /// Pixels that lost fragments.
-    pub truncated_pixels: u64,
-    /// Pixels that ppAO's segments have resolved, each time counted; 0 without ppAO.
-    pub resolved: u64,
-}
-
-pub(super) struct ABuffer {
-    pub(super) options: ABufferOptions,
+struct ABuffer {
+    options: ABufferOptions,
     counts: ABufferCounts,
     /// Whether the Resolve Step writes down what each pixel costs.
     counts_costs: bool,
@@ -77,7 +61,7 @@ pub(super) struct ABuffer {
 }
 
 impl ABuffer {
-    pub(super) fn new(options: ABufferOptions, counts_costs: bool) -> Self {
+    fn new(options: ABufferOptions, counts_costs: bool) -> Self {
         Self {
             options,
             counts: ABufferCounts::default(),
@@ -193,7 +177,7 @@ impl Algorithm for ABuffer {
 
     fn draw(&mut self, machine: &mut GlMachine<'_>, scene: &Scene) -> Result<Drawn> {
         run(&stage::OPAQUE_FIRST, &[], Variables::new(), machine)?;
-        let proxies = fused(scene);
+        let proxies = proxies(scene);
         if machine.has_inverse_w() {
             // The Fill Step's shaders look it up.
             run(&paper::OPAQUE_ENDS_RAYS, &[], Variables::new(), machine)?;
@@ -280,15 +264,6 @@ pub(super) fn expect_stencil(machine: &GlMachine<'_>) -> Result<()> {
 
 /// The most that the stencil buffer counts without being full.
 const STENCIL_COUNTS: u32 = 254;
-
-/// How a listing that draws transparent objects is amended for this scene.
-pub(super) const fn fused(scene: &Scene) -> &'static [Amendment] {
-    if scene.volumes.is_empty() {
-        &[]
-    } else {
-        &[paper::PROXIES]
-    }
-}
 
 impl ABuffer {
     /// Every pixel's complexity, by the stencil buffer where that is enough: it is quicker, but a prefix scan reads colours.
@@ -391,6 +366,134 @@ impl ABuffer {
             Some(last) if !self.options.as_printed => last + 1,
             _ => all,
         }
+    }
+}
+
+const fn entry(name: &'static str, manager: Manager, pp_dp: bool) -> Entry {
+    Entry {
+        name,
+        source: "Lindholm et al. 2015",
+        exact: true,
+        exactness: match pp_dp {
+            true => EXACT_BY_RAYS,
+            false => "yes, volumes by rays, too, up to 64 fragments a pixel (--array)",
+        },
+        ties: Ties::InOrder,
+        memory: match manager {
+            Manager::Ffb => Memory::PixelsTimesLayers,
+            Manager::Dfb | Manager::Ppll => Memory::PixelsAndFragments,
+        },
+        volumes: Volumes::Rays,
+        keeps: match (pp_dp, manager) {
+            (true, _) => None,
+            (false, Manager::Ffb | Manager::Dfb) => Some("the first submitted"),
+            (false, Manager::Ppll) => Some("the last submitted"),
+        },
+        needs: &[],
+    }
+}
+
+/// One entry each for neither of ppAO and ppDP, for one of them, for both. `static` is the paper's word for the array
+/// without any.
+static ENTRIES: [[Entry; 4]; 3] = [
+    [
+        entry("ffb", Manager::Ffb, false),
+        entry("ffb+ppao", Manager::Ffb, false),
+        entry("ffb+ppdp", Manager::Ffb, true),
+        entry("ffb+ppao+ppdp", Manager::Ffb, true),
+    ],
+    [
+        entry("dfb", Manager::Dfb, false),
+        entry("dfb+ppao", Manager::Dfb, false),
+        entry("dfb+ppdp", Manager::Dfb, true),
+        entry("dfb+ppao+ppdp", Manager::Dfb, true),
+    ],
+    [
+        entry("ppll", Manager::Ppll, false),
+        entry("ppll+ppao", Manager::Ppll, false),
+        entry("ppll+ppdp", Manager::Ppll, true),
+        entry("ppll+ppao+ppdp", Manager::Ppll, true),
+    ],
+];
+
+impl Technique for ABufferOptions {
+    fn entry(&self) -> &'static Entry {
+        let components = usize::from(self.pp_ao) + 2 * usize::from(self.pp_dp);
+        &ENTRIES[self.manager as usize][components]
+    }
+
+    fn algorithm(&self, setup: &Setup) -> Box<dyn Algorithm> {
+        Box::new(ABuffer::new(*self, setup.counts_costs))
+    }
+
+    fn check(&self) -> Result<()> {
+        let array = self.array;
+        if !(1..=256).contains(&array) || !array.is_power_of_two() {
+            return Err(Error::usage(
+                format!("a local array of {array} fragments is not to be had"),
+                "choose 1, 2, 4, 8 ... 256; 64 is usual, and ppDP takes what is deeper",
+            ));
+        }
+        if self.pp_ao && array < SMALLEST_SEGMENT {
+            return Err(Error::usage(
+                format!("ppAO's last segment cannot be {array}: its first is {SMALLEST_SEGMENT}"),
+                "choose an array of 8, 16, 32 ...",
+            ));
+        }
+        if !(1..=64).contains(&self.peel) {
+            return Err(Error::usage(
+                format!("ppDP cannot peel {} fragments at a time", self.peel),
+                "choose 1 to 64; 8 is usual",
+            ));
+        }
+        if self.keep == Keep::Nearest && (self.pp_dp || self.as_printed) {
+            return Err(Error::usage(
+                match self.pp_dp {
+                    true => {
+                        "ppDP drops no fragment, so there are none of which the nearest could be kept"
+                    }
+                    false => {
+                        "the paper does not say that the nearest fragments are kept, so as printed they are not"
+                    }
+                },
+                "leave out one of the two",
+            ));
+        }
+        if !(0.0..=1.0).contains(&self.termination) {
+            return Err(Error::usage(
+                format!(
+                    "the transparency {} at which a ray ends is not between 0 and 1",
+                    self.termination
+                ),
+                "0 is exact; 0.02 is the paper's",
+            ));
+        }
+        if self.budget == Some(0) {
+            return Err(Error::usage(
+                "no fragment fits into a budget of 0 bytes",
+                "leave the budget out, or give it some megabytes",
+            ));
+        }
+        Ok(())
+    }
+}
+
+impl Published for ABufferOptions {
+    const CHOICES: &'static [Setter<Self>] = CHOICES;
+
+    fn variants() -> Vec<Self> {
+        let mut all = Vec::new();
+        for manager in [Manager::Ffb, Manager::Dfb, Manager::Ppll] {
+            for [pp_dp, pp_ao] in [[false, false], [false, true], [true, false], [true, true]] {
+                all.push(Self {
+                    manager,
+                    pp_ao,
+                    pp_dp,
+                    ..Self::DEFAULT
+                });
+            }
+        }
+        all
     }
 }
 

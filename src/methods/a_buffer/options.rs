@@ -1,7 +1,5 @@
 //! What can be chosen about an A-buffer.
 
-use crate::error::{Error, Result};
-
 /// How the global memory of the fragment lists is managed (section 4, figure 4).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Manager {
@@ -131,24 +129,6 @@ impl ABufferOptions {
         as_printed: false,
     };
 
-    /// The method's name in the registry.
-    pub const fn name(&self) -> &'static str {
-        match (self.manager, self.pp_ao, self.pp_dp) {
-            (Manager::Ffb, false, false) => "ffb",
-            (Manager::Ffb, true, false) => "ffb+ppao",
-            (Manager::Ffb, false, true) => "ffb+ppdp",
-            (Manager::Ffb, true, true) => "ffb+ppao+ppdp",
-            (Manager::Dfb, false, false) => "dfb",
-            (Manager::Dfb, true, false) => "dfb+ppao",
-            (Manager::Dfb, false, true) => "dfb+ppdp",
-            (Manager::Dfb, true, true) => "dfb+ppao+ppdp",
-            (Manager::Ppll, false, false) => "ppll",
-            (Manager::Ppll, true, false) => "ppll+ppao",
-            (Manager::Ppll, false, true) => "ppll+ppdp",
-            (Manager::Ppll, true, true) => "ppll+ppao+ppdp",
-        }
-    }
-
     /// Bytes of a record with what links it to the next.
     pub fn record_bytes(&self) -> u64 {
         let record = self.color.record_bytes();
@@ -173,61 +153,6 @@ impl ABufferOptions {
             .take_while(move |&size| size <= last)
     }
 
-    /// Whether a frame can be rendered with them. It is asked before each frame; asking earlier says earlier what is
-    /// wrong.
-    ///
-    /// # Errors
-    /// If a number is out of its range.
-    pub fn check(&self) -> Result<()> {
-        let array = self.array;
-        if !(1..=256).contains(&array) || !array.is_power_of_two() {
-            return Err(Error::usage(
-                format!("a local array of {array} fragments is not to be had"),
-                "choose 1, 2, 4, 8 ... 256; 64 is usual, and ppDP takes what is deeper",
-            ));
-        }
-        if self.pp_ao && array < SMALLEST_SEGMENT {
-            return Err(Error::usage(
-                format!("ppAO's last segment cannot be {array}: its first is {SMALLEST_SEGMENT}"),
-                "choose an array of 8, 16, 32 ...",
-            ));
-        }
-        if !(1..=64).contains(&self.peel) {
-            return Err(Error::usage(
-                format!("ppDP cannot peel {} fragments at a time", self.peel),
-                "choose 1 to 64; 8 is usual",
-            ));
-        }
-        if self.keep == Keep::Nearest && (self.pp_dp || self.as_printed) {
-            return Err(Error::usage(
-                match self.pp_dp {
-                    true => {
-                        "ppDP drops no fragment, so there are none of which the nearest could be kept"
-                    }
-                    false => {
-                        "the paper does not say that the nearest fragments are kept, so as printed they are not"
-                    }
-                },
-                "leave out one of the two",
-            ));
-        }
-        if !(0.0..=1.0).contains(&self.termination) {
-            return Err(Error::usage(
-                format!(
-                    "the transparency {} at which a ray ends is not between 0 and 1",
-                    self.termination
-                ),
-                "0 is exact; 0.02 is the paper's",
-            ));
-        }
-        if self.budget == Some(0) {
-            return Err(Error::usage(
-                "no fragment fits into a budget of 0 bytes",
-                "leave the budget out, or give it some megabytes",
-            ));
-        }
-        Ok(())
-    }
 }
 
 /// ppAO's first segment.

@@ -1,0 +1,139 @@
+//! The options of methods, as the registry has them: each belongs to the methods that know it.
+
+use std::sync::LazyLock;
+
+use clap::builder::{PossibleValue, PossibleValuesParser};
+use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches};
+use onionskin::methods::{Choice, Takes, registry};
+use onionskin::{Error, Method, Result};
+
+/// What is chosen on the command line: names and values.
+pub(super) struct Chosen(Vec<(&'static str, String)>);
+
+impl Chosen {
+    /// Whether anything is.
+    pub(super) fn is_any(&self) -> bool {
+        !self.0.is_empty()
+    }
+
+    /// Whether this is.
+    pub(super) fn has(&self, name: &str) -> bool {
+        self.value(name).is_some()
+    }
+
+    /// What is chosen for this, in words; `None` if nothing is.
+    pub(super) fn value(&self, name: &str) -> Option<&str> {
+        let chosen = self.0.iter().find(|(chosen, _)| *chosen == name);
+        chosen.map(|(_, value)| value.as_str())
+    }
+
+    /// The method with all of it.
+    ///
+    /// # Errors
+    /// If the method does not know it, or it does not go together.
+    pub(super) fn apply_to(&self, mut method: Method) -> Result<Method> {
+        for (name, value) in &self.0 {
+            if !method.has(name) {
+                return Err(refusal(method, name));
+            }
+            method
+                .choose(name, value)
+                .map_err(|error| named(name, error))?;
+        }
+        onionskin::methods::Technique::check(&method)?;
+        Ok(method)
+    }
+}
+
+/// Every choice that a method of the registry has, in its order, each once, with the heading that it stands under.
+fn offered() -> &'static [(Choice, String)] {
+    static OFFERED: LazyLock<Vec<(Choice, String)>> = LazyLock::new(|| {
+        let mut offered: Vec<(Choice, String)> = Vec::new();
+        for choice in registry().iter().flat_map(|row| row.method.choices()) {
+            if offered.iter().all(|(other, _)| other.name != choice.name) {
+                offered.push((choice, format!("Options of {}", knowing(choice.name))));
+            }
+        }
+        offered
+    });
+    &OFFERED
+}
+
+/// The methods that know a choice: of names with a `+`, what stands before it.
+fn knowing(name: &str) -> String {
+    let rows = registry().iter().filter(|row| row.method.has(name));
+    let mut names: Vec<_> = rows.filter_map(|row| row.name.split('+').next()).collect();
+    names.dedup();
+    names.join(", ")
+}
+
+fn refusal(method: Method, name: &str) -> Error {
+    let own = method.choices();
+    let own: Vec<_> = own
+        .iter()
+        .map(|choice| format!("--{}", choice.name))
+        .collect();
+    let own = match own.is_empty() {
+        true => format!("{method} has no options"),
+        false => format!("{method} has {}", own.join(", ")),
+    };
+    Error::usage(
+        format!("{method} has no --{name}"),
+        format!("it is an option of {}; {own}", knowing(name)),
+    )
+}
+
+/// The error, of which option it is.
+fn named(name: &str, error: Error) -> Error {
+    match error {
+        Error::Usage { what, remedy } => Error::usage(format!("--{name}: {what}"), remedy),
+        error => error,
+    }
+}
+
+fn argument(choice: Choice, heading: &'static str) -> Arg {
+    let argument = Arg::new(choice.name)
+        .long(choice.name)
+        .help(choice.help)
+        .help_heading(heading);
+    match choice.takes {
+        Takes::Nothing => argument.action(ArgAction::SetTrue),
+        Takes::Value(name) => argument.value_name(name),
+        Takes::Word(words) => argument
+            .value_name("WORD")
+            .value_parser(PossibleValuesParser::new(
+                words
+                    .iter()
+                    .map(|&(word, meaning)| PossibleValue::new(word).help(meaning)),
+            )),
+    }
+}
+
+impl Args for Chosen {
+    fn augment_args(command: Command) -> Command {
+        let arguments = offered().iter();
+        command.args(arguments.map(|(choice, heading)| argument(*choice, heading)))
+    }
+
+    fn augment_args_for_update(command: Command) -> Command {
+        Self::augment_args(command)
+    }
+}
+
+impl FromArgMatches for Chosen {
+    fn from_arg_matches(matches: &ArgMatches) -> Result<Self, clap::Error> {
+        let chosen = offered().iter().filter_map(|(choice, _)| {
+            let value = match choice.takes {
+                Takes::Nothing => matches.get_flag(choice.name).then(String::new),
+                Takes::Value(_) | Takes::Word(_) => matches.get_one(choice.name).cloned(),
+            };
+            value.map(|value| (choice.name, value))
+        });
+        Ok(Self(chosen.collect()))
+    }
+
+    fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), clap::Error> {
+        *self = Self::from_arg_matches(matches)?;
+        Ok(())
+    }
+}

@@ -1,0 +1,98 @@
+//! What can be chosen about an A-buffer, in words.
+
+use super::super::choice::{AS_PRINTED, Choice, Setter, Takes, number, set, word};
+use super::options::{ABufferOptions, Fill, Keep, RecordColor, Sort};
+
+pub(super) const CHOICES: &[Setter<ABufferOptions>] = &[
+    ARRAY.sets(|o, text| set(&mut o.array, number(text))),
+    KEEP.sets(|o, text| set(&mut o.keep, word(text, &KEEPS))),
+    PEEL.sets(|o, text| set(&mut o.peel, number(text))),
+    TERMINATION.sets(|o, text| set(&mut o.termination, number(text))),
+    BUDGET.sets(|o, text| {
+        let mebibytes: u64 = number(text)?;
+        set(&mut o.budget, Ok(Some(mebibytes.saturating_mul(1 << 20))))
+    }),
+    FILL.sets(|o, text| set(&mut o.fill, word(text, &FILLS))),
+    ARRAY_SORT.sets(|o, text| set(&mut o.sort, word(text, &SORTS))),
+    RECORD_COLOR.sets(|o, text| set(&mut o.color, word(text, &COLORS))),
+    AS_PRINTED.sets(|o, _| set(&mut o.as_printed, Ok(true))),
+];
+
+const ARRAY: Choice = Choice {
+    name: "array",
+    takes: Takes::Value("N"),
+    help: "How many fragments the local array has room for: 8, 16, 32 ... 256; what a static one has no room for is lost, \
+           and counted [default: 64]",
+};
+
+const KEEP: Choice = Choice {
+    name: "keep",
+    takes: Takes::Word(&[
+        (
+            "first",
+            "The first of the list: with ffb and dfb those submitted first, with ppll those submitted last",
+        ),
+        (
+            "nearest",
+            "The nearest; the image is then that of the nearest N",
+        ),
+    ]),
+    help: "Which fragments a local array keeps that has no room for all, where nothing peels the rest [default: first, as \
+           the paper leaves it]",
+};
+const KEEPS: [(&str, Keep); 2] = [("first", Keep::First), ("nearest", Keep::Nearest)];
+
+const PEEL: Choice = Choice {
+    name: "peel",
+    takes: Takes::Value("N"),
+    help: "How many fragments ppDP peels at a time, 1 to 64 [default: 8]",
+};
+
+const TERMINATION: Choice = Choice {
+    name: "termination",
+    takes: Takes::Value("0..1"),
+    help: "End a ray when less light than this comes through; the paper has 0.02 [default: 0, which is exact]",
+};
+
+const BUDGET: Choice = Choice {
+    name: "budget",
+    takes: Takes::Value("MIB"),
+    help: "The most MiB that fragment lists may take; what does not fit is rendered in horizontal bands. Without it, as \
+           many as are quick: on llvmpipe 8, more for many triangles",
+};
+
+const FILL: Choice = Choice {
+    name: "fill",
+    takes: Takes::Word(&[
+        ("atomics", "Image atomics, as the paper has it"),
+        (
+            "ordered",
+            "Framebuffer fetch: a pixel's fragments take their turns",
+        ),
+    ]),
+    help: "How lists are filled [default: ordered where the driver has it]",
+};
+const FILLS: [(&str, Fill); 2] = [("atomics", Fill::Atomics), ("ordered", Fill::Ordered)];
+
+const ARRAY_SORT: Choice = Choice {
+    name: "array-sort",
+    takes: Takes::Word(&[
+        ("insertion", "Insertion sort, as the paper has it"),
+        ("network", "A network of comparators"),
+    ]),
+    help: "How local arrays are sorted; the result is the same [default: what is quicker for the scene]",
+};
+const SORTS: [(&str, Sort); 2] = [("insertion", Sort::Insertion), ("network", Sort::Network)];
+
+const RECORD_COLOR: Choice = Choice {
+    name: "record-color",
+    takes: Takes::Word(&[
+        ("half", "Four 16-bit floats, as the paper has it"),
+        ("float", "Four 32-bit floats"),
+    ]),
+    help: "How fragment records keep colours [default: half]",
+};
+const COLORS: [(&str, RecordColor); 2] = [
+    ("half", RecordColor::Half),
+    ("float", RecordColor::Float),
+];
