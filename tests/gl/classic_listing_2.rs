@@ -15,7 +15,7 @@ use onionskin::scene::generate::{Soup, soup};
 use onionskin::steps::{
     Call, Capability, Machine, Map, Objects, Query, Shader, Target, Variables, gl::*, print, run,
 };
-use onionskin::{Context, Error, Method, Renderer, Result, Scene};
+use onionskin::{Context, Error, Method, Result, Scene};
 
 use crate::kit::lists::Lists;
 
