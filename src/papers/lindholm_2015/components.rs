@@ -1,11 +1,10 @@
 //! Section 4's static Local Array; sections 5.1 and 5.2: ppAO and ppDP as the paper prints them, and what makes them
 //! right.
 
+use crate::lists;
 use crate::steps::Amendment;
 use crate::steps::pseudo::Algorithm;
-use crate::steps::pseudo::list::{
-    Counter, Element, End, Key, Line, Line::*, Mark, Start, Taken, Test,
-};
+use crate::steps::pseudo::list::Line;
 
 /// The static Local Array: "allocate a fixed sized array, of size N per thread". "All fragments beyond this number are
 /// discarded": beyond it in the Fragment List, whose order the paper leaves open. As the lists of figure 4 are filled and
@@ -13,7 +12,7 @@ use crate::steps::pseudo::list::{
 pub const STATIC_ARRAY: Algorithm<Line> = Algorithm {
     title: "Static Local Array",
     source: "Lindholm et al. 2015, section 4, Managing Local GPU Caches",
-    lines: &[Pixels(&[ResolveSegment])],
+    lines: lists! { forall pixels do { resolve segment with Local Array; } },
 };
 
 /// Which fragments a pixel keeps that has more of them than its array, said instead of left to the list's order: the
@@ -21,21 +20,25 @@ pub const STATIC_ARRAY: Algorithm<Line> = Algorithm {
 pub const NEAREST: Algorithm<Line> = Algorithm {
     title: "Static Local Array of the nearest",
     source: "onionskin",
-    lines: &[
-        Input,
-        SizeOfLocalArray,
-        CreateBuffer,
-        Fragments(&[Insert(Key::DepthAndId), AT_MOST_N, DROP_LAST]),
-        ResolveBuffer(Taken::All),
-    ],
+    lines: lists! {
+        input list of fragments;
+        n <- sizeof Local Array;
+        create buffer with n elements;
+        foreach fragment f do {
+            insert f by depth, then id;
+            note "store at most n elements";
+            note "drop last element on overflow";
+        }
+        resolve buffer;
+    },
 };
 
 /// To [`STATIC_ARRAY`], if the nearest are to be kept.
 pub const KEEP_NEAREST: Amendment<Line> = Amendment {
     key: "L09",
     place: "section 4, all fragments beyond this number are discarded",
-    printed: &[ResolveSegment],
-    amended: &[Run(&NEAREST, &[])],
+    printed: lists! { resolve segment with Local Array; },
+    amended: lists! { resolve segment by NEAREST; },
     why: "what is dropped is the farthest, whatever the list's order: in a full array a nearer fragment takes its place",
     test: "l09_keeping_the_nearest_gives_the_oracle_s_image_of_the_nearest_n",
 };
@@ -44,52 +47,52 @@ pub const KEEP_NEAREST: Amendment<Line> = Amendment {
 pub const PP_AO: Algorithm<Line> = Algorithm {
     title: "per-pixel Array Optimization",
     source: "Lindholm et al. 2015, section 5.1",
-    lines: &[
-        Note("Fill Step"),
-        Pixels(&[Count(Counter::Integer)]),
-        Note("Resolve Step, loop over all complexity segments"),
-        Segments(&[
-            ActivateProgram,
-            UnresolvedPixels(&[
-                MASK,
-                If(
-                    Test::FitsSegment,
-                    &[ResolveSegment, Mark(Mark::Resolved)],
-                    &[],
-                ),
-            ]),
-        ]),
-    ],
+    lines: lists! {
+        note "Fill Step";
+        forall pixels do {
+            count depth complexity;
+        }
+        note "Resolve Step, loop over all complexity segments";
+        foreach segment i do {
+            activate shader program;
+            forall unresolved pixels do {
+                note "mask pixel if not part of segment class i";
+                if (depth complexity <= i) then {
+                    resolve segment with Local Array;
+                    mark pixel as resolved;
+                }
+            }
+        }
+    },
 };
 
 /// per-pixel Depth Peeling, as printed.
 pub const PP_DP: Algorithm<Line> = Algorithm {
     title: "per-pixel Depth Peeling",
     source: "Lindholm et al. 2015, section 5.2",
-    lines: &[
-        Input,
-        SizeOfLocalArray,
-        CreateBuffer,
-        SetMin(Start::Zero),
-        InitializeState,
-        Note("Resolve Step"),
-        Repeat(&[
-            Fragments(&[If(
-                Test::NotBehindMin(Key::Depth),
-                &[Skip],
-                &[Insert(Key::Depth), AT_MOST_N, DROP_LAST],
-            )]),
-            ResolveBuffer(Taken::All),
-            Store(Key::Depth, Element::Last),
-            ClearBuffer,
-            Until(End::AllResolved),
-        ]),
-    ],
+    lines: lists! {
+        input list of fragments;
+        n <- sizeof Local Array;
+        create buffer with n elements;
+        set min depth to 0;
+        initialize current state;
+        note "Resolve Step";
+        repeat {
+            foreach fragment f do {
+                if (depth <= min depth) then {
+                    skip f;
+                } else {
+                    insert f by depth;
+                    note "store at most n elements";
+                    note "drop last element on overflow";
+                }
+            }
+            resolve buffer;
+            store min depth of last buffer element;
+            clear buffer;
+        } until all fragments are resolved;
+    },
 };
-
-const MASK: Line = Note("mask pixel if not part of segment class i");
-const AT_MOST_N: Line = Note("store at most n elements");
-const DROP_LAST: Line = Note("drop last element on overflow");
 
 /// What makes ppDP right.
 pub const PP_DP_AMENDMENTS: [Amendment<Line>; 4] = [START, SKIP_BY_ID, STORE_ID, STOP];
@@ -98,8 +101,8 @@ pub const PP_DP_AMENDMENTS: [Amendment<Line>; 4] = [START, SKIP_BY_ID, STORE_ID,
 pub const START: Amendment<Line> = Amendment {
     key: "L4",
     place: "section 5.2, set min depth to 0",
-    printed: &[SetMin(Start::Zero)],
-    amended: &[SetMin(Start::BeforeAll)],
+    printed: lists! { set min depth to 0; },
+    amended: lists! { set min depth before all; },
     why: "what lies at depth 0 must not be skipped",
     test: "l13_what_lies_at_depth_0_is_skipped_as_printed",
 };
@@ -108,16 +111,24 @@ pub const START: Amendment<Line> = Amendment {
 pub const SKIP_BY_ID: Amendment<Line> = Amendment {
     key: "L1",
     place: "section 5.2, if depth(f) ≤ min depth",
-    printed: &[If(
-        Test::NotBehindMin(Key::Depth),
-        &[Skip],
-        &[Insert(Key::Depth), AT_MOST_N, DROP_LAST],
-    )],
-    amended: &[If(
-        Test::NotBehindMin(Key::DepthAndId),
-        &[Skip],
-        &[Insert(Key::DepthAndId), AT_MOST_N, DROP_LAST],
-    )],
+    printed: lists! {
+        if (depth <= min depth) then {
+            skip f;
+        } else {
+            insert f by depth;
+            note "store at most n elements";
+            note "drop last element on overflow";
+        }
+    },
+    amended: lists! {
+        if ((depth, id) <= (min depth, min id)) then {
+            skip f;
+        } else {
+            insert f by depth, then id;
+            note "store at most n elements";
+            note "drop last element on overflow";
+        }
+    },
     why: "of equal depths only some may have been resolved: the id tells which",
     test: "l13_ties_are_lost_where_a_buffer_ends_as_printed",
 };
@@ -126,8 +137,8 @@ pub const SKIP_BY_ID: Amendment<Line> = Amendment {
 pub const STORE_ID: Amendment<Line> = Amendment {
     key: "L1",
     place: "section 5.2, store min depth",
-    printed: &[Store(Key::Depth, Element::Last)],
-    amended: &[Store(Key::DepthAndId, Element::Last)],
+    printed: lists! { store min depth of last buffer element; },
+    amended: lists! { store min depth and id of last buffer element; },
     why: "the id decides between equal depths",
     test: "l13_ties_are_lost_where_a_buffer_ends_as_printed",
 };
@@ -136,8 +147,8 @@ pub const STORE_ID: Amendment<Line> = Amendment {
 pub const STOP: Amendment<Line> = Amendment {
     key: "L3",
     place: "section 5.2, until all fragments are resolved",
-    printed: &[Until(End::AllResolved)],
-    amended: &[Until(End::NothingDropped)],
+    printed: lists! { until all fragments are resolved; },
+    amended: lists! { until no element was dropped; },
     why: "a subpass that has dropped nothing is the last",
     test: "l13_a_loop_that_waits_for_a_lost_fragment_never_ends",
 };
@@ -147,8 +158,8 @@ pub const STOP: Amendment<Line> = Amendment {
 pub const AS_THE_TEXT_SAYS: Amendment<Line> = Amendment {
     key: "L2",
     place: "section 5.2, resolve buffer",
-    printed: &[ResolveBuffer(Taken::All)],
-    amended: &[ResolveBuffer(Taken::AllButLastOnOverflow)],
+    printed: lists! { resolve buffer; },
+    amended: lists! { resolve buffer, on overflow its first n - 1 elements; },
     why: "the text resolves n-1",
     test: "l12_n_minus_1_a_pass_but_going_on_from_the_nth_loses_one_a_pass",
 };
@@ -160,7 +171,7 @@ pub const N_MINUS_1: [Amendment<Line>; 5] = [
     SKIP_BY_ID,
     AS_THE_TEXT_SAYS,
     Amendment {
-        amended: &[Store(Key::DepthAndId, Element::LastResolved)],
+        amended: lists! { store min depth and id of last resolved element; },
         key: "L2",
         why: "the n-th was not resolved",
         ..STORE_ID
@@ -173,27 +184,32 @@ pub const N_MINUS_1: [Amendment<Line>; 5] = [
 pub const PP_AO_AMENDMENT: Amendment<Line> = Amendment {
     key: "L5, L6, L7",
     place: "section 5.1, if depth complexity(p) <= i",
-    printed: &[If(
-        Test::FitsSegment,
-        &[ResolveSegment, Mark(Mark::Resolved)],
-        &[],
-    )],
-    amended: &[If(
-        Test::InSegment,
-        &[If(
-            Test::Overflows,
-            &[Run(&PP_DP, &PP_DP_AMENDMENTS)],
-            &[ResolveSegment],
-        )],
-        &[],
-    )],
+    printed: lists! {
+        if (depth complexity <= i) then {
+            resolve segment with Local Array;
+            mark pixel as resolved;
+        }
+    },
+    amended: lists! {
+        if (p is of segment i) then {
+            if (depth complexity > i) then {
+                resolve segment by PP_DP amended by &PP_DP_AMENDMENTS;
+            } else {
+                resolve segment with Local Array;
+            }
+        }
+    },
     why: "every pixel in one segment, none in two; what overflows the last is peeled",
     test: "l11_past_the_last_segment_nothing_is_resolved_as_printed",
 };
 
 /// The same without ppDP: what overflows the last segment's array is dropped.
 pub const PP_AO_WITHOUT_PP_DP: Amendment<Line> = Amendment {
-    amended: &[If(Test::InSegment, &[ResolveSegment], &[])],
+    amended: lists! {
+        if (p is of segment i) then {
+            resolve segment with Local Array;
+        }
+    },
     why: "every pixel in one segment, none in two; what overflows the last is dropped",
     test: "l09_without_pp_dp_the_last_segment_drops_what_overflows_it",
     ..PP_AO_AMENDMENT
@@ -201,15 +217,15 @@ pub const PP_AO_WITHOUT_PP_DP: Amendment<Line> = Amendment {
 
 /// Again without ppDP, with the last segment's array as [`KEEP_NEAREST`] has it.
 pub const PP_AO_KEEPING_NEAREST: Amendment<Line> = Amendment {
-    amended: &[If(
-        Test::InSegment,
-        &[If(
-            Test::Overflows,
-            &[Run(&NEAREST, &[])],
-            &[ResolveSegment],
-        )],
-        &[],
-    )],
+    amended: lists! {
+        if (p is of segment i) then {
+            if (depth complexity > i) then {
+                resolve segment by NEAREST;
+            } else {
+                resolve segment with Local Array;
+            }
+        }
+    },
     why: "every pixel in one segment, none in two; of what overflows the last the nearest are kept",
     test: "l09_keeping_the_nearest_gives_the_oracle_s_image_of_the_nearest_n",
     ..PP_AO_AMENDMENT
@@ -222,7 +238,7 @@ pub const fn by_stencil(counter: &'static [Line], masked: &'static [Line]) -> [A
         Amendment {
             key: "6.2",
             place: "section 5.1, count depth complexity",
-            printed: &[Count(Counter::Integer)],
+            printed: lists! { count depth complexity; },
             amended: counter,
             why: "implemented using an 8-bit stencil buffer",
             test: "l11_eight_bits_send_what_is_past_255_to_the_wrong_segment",

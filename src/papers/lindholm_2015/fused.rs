@@ -2,9 +2,10 @@
 //! line; what the prose leaves open stands beside it.
 
 use super::components::{PP_DP, SKIP_BY_ID, START, STOP, STORE_ID};
+use crate::lists;
 use crate::steps::Amendment;
 use crate::steps::pseudo::Algorithm;
-use crate::steps::pseudo::list::{Beginning, Line, Line::*, SegmentEnd, Taken, Test};
+use crate::steps::pseudo::list::Line;
 
 /// "Ray casting of the scene is performed by sequentially looping over all entries in the Fragment List. Geometry fragments
 /// are blended directly while volume rendering is performed for the interleaved ray segments. Volume occupancy is tracked
@@ -12,12 +13,19 @@ use crate::steps::pseudo::list::{Beginning, Line, Line::*, SegmentEnd, Taken, Te
 pub const FUSED: Algorithm<Line> = Algorithm {
     title: "Fused rendering: a ray cast between the fragments of the list",
     source: "Lindholm et al. 2015, section 6.1",
-    lines: &[Input, BeginRay(Beginning::Outside), Sorted(&EVALUATION)],
+    lines: lists! {
+        input list of fragments;
+        begin ray outside;
+        foreach sorted fragment f do {
+            cast ray up to f;
+            if (f is of a proxy) then {
+                toggle the volume of f;
+            } else {
+                blend f;
+            }
+        }
+    },
 };
-
-/// What is done at an entry of the list.
-const EVALUATION: [Line; 2] = [Cast(SegmentEnd::Fragment), MEET];
-const MEET: Line = If(Test::IsProxy, &[Toggle], &[Blend]);
 
 /// What the prose leaves open.
 pub const FUSED_AMENDMENTS: [Amendment<Line>; 2] = [BEGIN_INSIDE, END_AT_OPAQUE];
@@ -26,8 +34,8 @@ pub const FUSED_AMENDMENTS: [Amendment<Line>; 2] = [BEGIN_INSIDE, END_AT_OPAQUE]
 pub const BEGIN_INSIDE: Amendment<Line> = Amendment {
     key: "L16",
     place: "section 6.1, volume occupancy is tracked",
-    printed: &[BeginRay(Beginning::Outside)],
-    amended: &[BeginRay(Beginning::WhatIsOnlyLeft)],
+    printed: lists! { begin ray outside; },
+    amended: lists! { begin ray inside what is only left; },
     why: "no fragment is encountered where a volume is entered that the eye is in",
     test: "l16_without_where_it_begins_a_ray_is_wrong_exactly_where_it_begins_inside",
 };
@@ -36,8 +44,8 @@ pub const BEGIN_INSIDE: Amendment<Line> = Amendment {
 pub const END_AT_OPAQUE: Amendment<Line> = Amendment {
     key: "L16",
     place: "section 6.1, the interleaved ray segments",
-    printed: &[Cast(SegmentEnd::Fragment)],
-    amended: &[Cast(SegmentEnd::FragmentOrOpaque)],
+    printed: lists! { cast ray up to f; },
+    amended: lists! { cast ray up to f or opaque depth; },
     why: "what lies behind the opaque surface is not seen",
     test: "l16_without_the_opaque_surface_a_ray_goes_on_behind_it",
 };
@@ -53,8 +61,8 @@ pub const FUSED_PP_DP: [Amendment<Line>; 6] = [
     Amendment {
         key: "L17",
         place: "section 5.2, initialize current state",
-        printed: &[InitializeState],
-        amended: &[BeginRay(Beginning::WhatIsOnlyLeft)],
+        printed: lists! { initialize current state; },
+        amended: lists! { begin ray inside what is only left; },
         why: "the state is a ray's",
         test: "l17_a_state_that_is_not_kept_loses_what_subpasses_share",
     },
@@ -65,8 +73,17 @@ pub const FUSED_PP_DP: [Amendment<Line>; 6] = [
 pub const EVALUATE_BUFFER: Amendment<Line> = Amendment {
     key: "L17",
     place: "section 5.2, resolve buffer considering current state",
-    printed: &[ResolveBuffer(Taken::All)],
-    amended: &[Elements(&[Cast(SegmentEnd::FragmentOrOpaque), MEET])],
+    printed: lists! { resolve buffer; },
+    amended: lists! {
+        foreach element f of buffer do {
+            cast ray up to f or opaque depth;
+            if (f is of a proxy) then {
+                toggle the volume of f;
+            } else {
+                blend f;
+            }
+        }
+    },
     why: "the ray goes on from where the subpass before has left it",
     test: "l17_a_state_that_is_not_kept_loses_what_subpasses_share",
 };
