@@ -12,6 +12,7 @@ use super::allocate_maps::allocate_maps;
 use super::batches::{Batch, batches, begin_batch};
 use super::choice::{AS_PRINTED, Choice, Setter, Takes, number, set};
 use super::entry::{EXACT_BUT_NOT_SLICES, Entry, Memory, Ties, Volumes};
+use super::expect_known::expect_known;
 use super::peeled::{Peeled, peeled};
 use super::sorting::{SORT, Sorting};
 use super::technique::{Published, Technique};
@@ -181,7 +182,8 @@ impl Algorithm for CoherentLayerPeeling {
             // Depths as colors need the image's full float precision (X17).
             Variant::B => coherent::RESOURCES_B,
         };
-        allocate_maps(machine, &resources, self.color, self.depth)
+        allocate_maps(machine, &resources, self.color, self.depth)?;
+        expect_known(&self.listing(), &self.amendments(), &resources)
     }
 
     fn draw(&mut self, machine: &mut GlMachine<'_>, scene: &Scene) -> Result<Drawn> {

@@ -12,6 +12,7 @@ use super::allocate_maps::allocate_maps;
 use super::choice::{AS_PRINTED, Choice, Setter, Takes, number, set, word};
 use super::depth_unit_0::DepthUnit0;
 use super::entry::{Entry, Memory, Ties, Volumes};
+use super::expect_known::expect_known;
 use super::iteration_bound::iteration_bound;
 use super::requirements;
 use super::stats::Peeling;
@@ -21,7 +22,9 @@ use crate::gl::{Format, GlMachine};
 use crate::papers::everitt_2001::{self, LISTING_1};
 use crate::papers::{stage, vtk};
 use crate::scene::Scene;
-use crate::steps::{Amendment, Call, DepthUnits, Machine, Outcome, Reason, Variables, run};
+use crate::steps::{
+    Amendment, Call, DepthUnits, Listing, Machine, Outcome, Reason, Variables, run,
+};
 
 /// How layers become an image.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -81,7 +84,7 @@ impl Algorithm for DepthPeeling {
         if !self.options.keeps_layers() {
             allocate_maps(machine, &[&stage::ACCUMULATING], self.color, self.depth)?;
         }
-        Ok(())
+        self.expect_known()
     }
 
     fn draw(&mut self, machine: &mut GlMachine<'_>, scene: &Scene) -> Result<Drawn> {
@@ -101,14 +104,11 @@ impl Algorithm for DepthPeeling {
             .variables()
             .with("occlusion_ratio", self.options.occlusion_ratio)
             .with("window_area", f64::from(width) * f64::from(height));
-        let listing = match self.options.compositing {
-            Compositing::OnTheFly => vtk::ON_THE_FLY,
-            Compositing::KeepLayers => vtk::KEEP_LAYERS,
-        };
+        let listing = self.listing();
         let outcome =
             self.options
                 .depth_unit_0
-                .run(machine, &listing, self.options.amendments, variables)?;
+                .run(machine, listing, self.options.amendments, variables)?;
         let mut drawn = drawn(&outcome);
         drawn.keeps_layers = self.options.keeps_layers();
         if self.may_get_stuck() && outcome.stopped != Some(Reason::EmptyLayer) {
@@ -130,6 +130,25 @@ impl DepthPeeling {
             depth: setup.depth,
             bound: f64::INFINITY,
         }
+    }
+
+    /// Not as printed.
+    fn listing(&self) -> &'static Listing {
+        match self.options.compositing {
+            Compositing::OnTheFly => &vtk::ON_THE_FLY,
+            Compositing::KeepLayers => &vtk::KEEP_LAYERS,
+        }
+    }
+
+    fn expect_known(&self) -> Result<()> {
+        let amendments = self.options.amendments;
+        if self.options.as_printed {
+            expect_known(&LISTING_1, amendments, &[&vtk::PEELING])?;
+            let resources = [&vtk::PEELING, &everitt_2001::COMPOSITING];
+            return expect_known(&everitt_2001::COMPOSITE, amendments, &resources);
+        }
+        let resources = [&stage::ACCUMULATING, &vtk::PEELING, &everitt_2001::TRIED];
+        expect_known(self.listing(), amendments, &resources)
     }
 
     /// Whether a fragment may pass the comparison with its own depth, again and again: where it is not the rasteriser's

@@ -17,6 +17,7 @@ use super::entry::{EXACT_BUT_NOT_SLICES, Entry, Memory, Ties, Volumes};
 use super::requirements;
 use super::stats::Peeling;
 use super::technique::{Published, Technique};
+use super::expect_known::expect_known;
 use crate::error::Result;
 use crate::gl::{Format, GlMachine};
 use crate::papers::bavoil_2008::{self as bavoil, DUAL_DEPTH_PEELING};
@@ -51,7 +52,12 @@ impl Algorithm for DualDepthPeeling {
         requirements::check(machine.context().driver(), self.color)?;
         // Depths are kept as colours.
         let depth = machine.format(stage::OPAQUE_DEPTH)?;
-        allocate_maps(machine, &[&bavoil::RESOURCES], self.color, depth)
+        allocate_maps(machine, &[&bavoil::RESOURCES], self.color, depth)?;
+        expect_known(
+            &DUAL_DEPTH_PEELING,
+            self.options.amendments,
+            &[&bavoil::RESOURCES],
+        )
     }
 
     fn draw(&mut self, machine: &mut GlMachine<'_>, scene: &Scene) -> Result<Drawn> {

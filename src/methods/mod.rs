@@ -46,6 +46,7 @@ mod complexity;
 pub mod coplanar;
 mod depth_unit_0;
 mod entry;
+mod expect_known;
 mod hanging;
 pub mod invariance;
 mod inverse_w;

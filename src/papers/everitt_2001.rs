@@ -10,8 +10,8 @@ pub(super) mod listing_1;
 mod listing_2;
 mod shadow;
 
-pub use composite::{ALPHA, COMPOSITE};
-pub use invariance::{REPLACED, WINDOW_Z};
+pub use composite::{ALPHA, COMPOSITE, COMPOSITING};
+pub use invariance::{REPLACED, TRIED, WINDOW_Z};
 pub use listing_1::LISTING_1;
 pub use listing_2::LISTING_2;
 pub use shadow::SHADOW_AS_DEPTH_TEST;
@@ -39,5 +39,5 @@ pub const PAPER: Paper = Paper {
         ),
         ("composite", Text::Listing(COMPOSITE, &[ALPHA])),
     ],
-    resources: &[&stage::RESOURCES, &vtk::PEELING],
+    resources: &[&stage::RESOURCES, &vtk::PEELING, &COMPOSITING],
 };

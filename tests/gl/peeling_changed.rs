@@ -3,8 +3,9 @@
 use crate::kit::bounds::F32;
 use onionskin::image::Comparison;
 use onionskin::methods::DepthPeelingOptions;
-use onionskin::steps::{Amendment, Map, Step};
-use onionskin::{Context, Scene, steps};
+use onionskin::papers::stage;
+use onionskin::steps::{Amendment, Map, Shader, Step};
+use onionskin::{Context, Method, Renderer, Scene, steps};
 
 use crate::kit::changed::changed;
 use crate::kit::peeling::peel;
@@ -113,4 +114,38 @@ fn exemplary() -> (Scene, Stack) {
         opaque: None,
     };
     (stack.scene(), stack)
+}
+
+#[test]
+fn a_user_s_amendment_that_misspells_a_name_is_refused_before_a_frame_is_drawn() {
+    const SHADER: &[Amendment] = &[changed(
+        steps! { glUseProgram(stage::PEEL_SURFACE); },
+        steps! { glUseProgram(Shader("peal")); },
+    )];
+    // Not even the first round would come to it.
+    const NEVER: &[Amendment] = &[changed(
+        steps! { enable depth writes; },
+        steps! { if (i == 99) { glBindTexture(Map::named("opaque dpeth")); } },
+    )];
+    let context = Context::headless().unwrap();
+    let (_, stack) = exemplary();
+    let mut renderer = Renderer::new(&context, 8, 8).unwrap();
+    for (amendments, meant) in [(SHADER, "'peel'"), (NEVER, "'opaque depth'")] {
+        for as_printed in [false, true] {
+            let method = Method::DepthPeeling(DepthPeelingOptions {
+                maximum_number_of_peels: 2,
+                as_printed,
+                amendments,
+                ..Default::default()
+            });
+            let refused = renderer.render(&stack.scene(), &method);
+            // As printed, the program is none of the listing's.
+            if as_printed && meant == "'peel'" {
+                refused.unwrap();
+            } else {
+                let error = refused.unwrap_err().to_string();
+                assert!(error.contains(meant), "{error}");
+            }
+        }
+    }
 }

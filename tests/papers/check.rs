@@ -2,7 +2,7 @@
 
 use onionskin::gl::shaders;
 use onionskin::papers::carr_2008::{coherent, hybrid, ideal};
-use onionskin::papers::everitt_2001::{LISTING_1, REPLACED, WINDOW_Z};
+use onionskin::papers::everitt_2001::{LISTING_1, REPLACED, TRIED, WINDOW_Z};
 use onionskin::papers::{bavoil_2008, lindholm_2015, papers, stage, vasilakis_2013, vtk};
 use onionskin::steps;
 use onionskin::steps::{
@@ -18,7 +18,6 @@ fn every_listing_of_every_paper_names_only_what_there_is() {
     let mut checked = 0;
     for paper in papers() {
         let known = Known::shaders(shaders()).with(paper.resources);
-        let known = known.with_variables(["num_layers", "composited"]);
         for (key, text) in paper.texts {
             for text in [text.as_printed(), *text] {
                 if let Text::Listing(listing, amendments) = text {
@@ -39,19 +38,22 @@ fn listings_and_amendments_that_stand_in_no_text_name_only_what_there_is() {
         let known = Known::shaders(shaders())
             .with(&[&stage::RESOURCES])
             .with(resources);
-        let set = ["quotient", "in_shader", "steps", "bias", "A", "B"];
-        check(listing, amendments, &known.with_variables(set)).unwrap();
+        check(listing, amendments, &known).unwrap();
     };
     passes(&stage::COUNT, &[], &[]);
     passes(&stage::COUNT_AT_EACH_PIXEL, &[], &[&stage::COUNTING]);
     passes(&lindholm_2015::COUNT_BY_STENCIL, &[], &[&stage::COUNTING]);
-    passes(
-        &bavoil_2008::COUNT_FRAGMENTS_LEFT,
-        &[],
-        &[&bavoil_2008::RESOURCES],
-    );
+    // It is run where the peels have ended, with their variables.
+    let left = [
+        &bavoil_2008::RESOURCES,
+        &Resources {
+            variables: &["B"],
+            ..Resources::NONE
+        },
+    ];
+    passes(&bavoil_2008::COUNT_FRAGMENTS_LEFT, &[], &left);
     for amendments in [WINDOW_Z, REPLACED] {
-        let resources = [&stage::ACCUMULATING, &vtk::PEELING];
+        let resources = [&stage::ACCUMULATING, &vtk::PEELING, &TRIED];
         passes(&vtk::ON_THE_FLY, amendments, &resources);
         passes(&vtk::KEEP_LAYERS, amendments, &resources);
     }

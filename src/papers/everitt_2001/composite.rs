@@ -2,7 +2,7 @@
 
 use crate::papers::stage::LAYER;
 use crate::steps;
-use crate::steps::{Amendment, Dialect, Listing, Map, gl::*};
+use crate::steps::{Amendment, Dialect, Listing, Map, Resources, gl::*};
 
 /// "Putting It All Together": the layers as viewport-sized textured quads, back to front.
 pub const COMPOSITE: Listing = Listing {
@@ -32,6 +32,12 @@ pub const ALPHA: Amendment = Amendment {
     amended: steps! { glBlendFuncSeparate(SRC_ALPHA, ONE_MINUS_SRC_ALPHA, ONE, ONE_MINUS_SRC_ALPHA); },
     why: "alpha is covered by alpha, not by its square",
     test: "e12_the_printed_blend_function_leaves_an_opaque_image_translucent",
+};
+
+/// What [`COMPOSITE`] takes for granted besides the layers.
+pub const COMPOSITING: Resources = Resources {
+    variables: &["num_layers"],
+    ..Resources::NONE
 };
 
 /// A layer that was kept.

@@ -5,7 +5,7 @@
 
 use crate::papers::stage;
 use crate::steps;
-use crate::steps::{Amendment, Map, Shader, Step};
+use crate::steps::{Amendment, Map, Resources, Shader, Step};
 
 /// The stored depth is the rasteriser's.
 pub const WINDOW_Z: &[Amendment] = &[
@@ -20,6 +20,12 @@ pub const REPLACED: &[Amendment] = &[
     PASS_0,
     TEXELS,
 ];
+
+/// What they take for granted: the variables that say what is compared, where, and by which margin.
+pub const TRIED: Resources = Resources {
+    variables: &["quotient", "in_shader", "steps", "bias", "depth_test"],
+    ..Resources::NONE
+};
 
 const fn program(amended: &'static [Step]) -> Amendment {
     Amendment {
