@@ -1,8 +1,10 @@
-//! What a rasteriser makes of a surface at one pixel: a colour, a depth, and its place in the order of submission.
+//! Fragments: what a rasteriser makes from a surface at one pixel. A fragment has a colour, a depth, and a place in the
+//! order of submission.
 
 use bytemuck::{Pod, Zeroable};
 
-/// A colour with straight (not premultiplied) alpha. Linear, blended as it is: nothing here converts to or from sRGB.
+/// A colour with straight (not premultiplied) alpha. It is linear and blended as it is: nothing here converts to or
+/// from sRGB.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub struct Rgba {
@@ -44,23 +46,23 @@ impl From<[f32; 4]> for Rgba {
 pub struct Fragment {
     /// Window-space depth, 0 at the near plane and 1 at the far plane. Smaller is nearer.
     pub depth: f32,
-    /// What the surface adds, straight alpha.
+    /// The colour of the surface, with straight alpha.
     pub color: Rgba,
-    /// Place in the order of submission; of two fragments of equal depth the one submitted first lies in front.
+    /// The place in the order of submission. Of two fragments of equal depth, the one submitted first lies in front.
     pub order: u32,
 }
 
-/// What a record in a fragment list comes from, as its id says (Lindholm et al. 2015, section 6.1): bits 31 and 30 are the
-/// kind of source, the rest is its number. `glsl/a_buffer/record.glsl` has the same bits.
+/// The source of a record in a fragment list, which its id encodes (Lindholm et al. 2015, section 6.1). Bits 31 and 30
+/// are the kind of source, the other bits are its number. `glsl/a_buffer/record.glsl` has the same bits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Source {
-    /// A surface, by its place in the order of submission, below 2^30.
+    /// A surface, with its place in the order of submission, below 2^30.
     Surface(u32),
     /// A face of the box around a volume.
     Proxy {
         /// The volume's number, 0 to 31.
         volume: u32,
-        /// Whether the ray leaves the volume there, or enters it.
+        /// Whether the ray leaves the volume at this face, or enters it.
         leaves: bool,
     },
 }
@@ -70,7 +72,7 @@ impl Source {
     const LEAVES: u32 = 1 << 29;
     const NUMBER: u32 = 31;
 
-    /// The id; of two records of equal depth the one with the smaller id comes first.
+    /// The id. Of two records of equal depth, the one with the smaller id comes first.
     pub const fn id(self) -> u32 {
         match self {
             Self::Surface(place) => place,
@@ -81,7 +83,7 @@ impl Source {
         }
     }
 
-    /// What has this id.
+    /// The source that has this id.
     pub const fn of(id: u32) -> Self {
         if id & Self::VOLUME == 0 {
             return Self::Surface(id);

@@ -1,5 +1,5 @@
-//! How much memory may be taken. It is asked before memory is taken, so that what is too large is refused with words
-//! and not killed without any.
+//! Limits of memory. Callers ask before they allocate, so that a request that is too large is refused with a message,
+//! and the program is not killed without one.
 
 use std::fmt;
 use std::str::FromStr;
@@ -8,7 +8,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use crate::error::{Error, Place};
 
-/// A limit, and how much of it is taken. Copies share what is taken.
+/// A limit of memory, and the part of it that is taken. Copies share that part.
 ///
 /// ```
 /// use onionskin::MemoryLimit;
@@ -23,28 +23,29 @@ use crate::error::{Error, Place};
 pub struct MemoryLimit {
     bytes: u64,
     taken: Arc<AtomicU64>,
-    /// Whether a person has set it.
+    /// Whether a person has set the limit.
     given: bool,
 }
 
-/// More was wanted than is left.
+/// The error that more memory was wanted than is left.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Shortage {
-    /// Bytes that were wanted.
+    /// The number of bytes that were wanted.
     pub wanted: u64,
-    /// Bytes that are left.
+    /// The number of bytes that are left.
     pub left: u64,
 }
 
-/// What a machine keeps for the rest of the program, and for all others: an eighth of what is available.
+/// The part of the available memory that is kept for the rest of the program and for other programs: an eighth.
 const RESERVE: u64 = 8;
 
-/// What any file may take in memory, in bytes, however small it is: 48 Mi samples, such as 512 x 512 x 192. A renderer on
-/// the processor holds them twice, and both must stay under 500 MB.
+/// The memory in bytes that any file may take, however small it is: 48 Mi samples, such as 512 x 512 x 192. A renderer
+/// on the processor holds them twice, and both copies must stay under 500 MB.
 const OF_A_SMALL_FILE: u64 = 192 << 20;
 
-/// How many bytes in memory a byte of a file may become beyond [`OF_A_SMALL_FILE`]. Measured data packs 2 to 10 times, and
-/// bytes become 32-bit samples; masks of large volumes pack better than this, and need a word of their owner.
+/// The number of bytes in memory that a byte of a file may become beyond [`OF_A_SMALL_FILE`]. Measured data packs 2 to
+/// 10 times, and bytes become 32-bit samples. Masks of large volumes pack better than this, and need the owner's
+/// permission.
 const MOST_FOR_A_BYTE: u64 = 192;
 
 const REMEDY: &str = "Ask for less, or allow more memory with --max-memory.";
@@ -56,7 +57,7 @@ impl Default for MemoryLimit {
 }
 
 impl MemoryLimit {
-    /// So many bytes, as a person has set them.
+    /// A limit of so many bytes, as a person has set it.
     pub fn of(bytes: u64) -> Self {
         Self {
             bytes,
@@ -65,8 +66,8 @@ impl MemoryLimit {
         }
     }
 
-    /// Seven eighths of what is available now: of the machine's memory, within the limits of the control group
-    /// (container) that the process runs in. Where the system does not say, there is no limit.
+    /// Seven eighths of the memory that is available now, within the limits of the control group (container) in which
+    /// the process runs. If the system does not say how much that is, there is no limit.
     pub fn of_machine() -> Self {
         let available = available().unwrap_or(u64::MAX);
         Self {
@@ -75,16 +76,16 @@ impl MemoryLimit {
         }
     }
 
-    /// Bytes that are left.
+    /// The number of bytes that are left.
     pub fn left(&self) -> u64 {
         let taken = self.taken.load(Ordering::Relaxed);
         self.bytes.saturating_sub(taken)
     }
 
-    /// Takes so many bytes for good: to be called before they are allocated, for what stays.
+    /// Takes so many bytes for good. Callers call it before they allocate memory that they keep.
     ///
     /// # Errors
-    /// Fewer are left. Nothing is taken then.
+    /// If fewer bytes are left. Nothing is taken then.
     pub fn take(&self, bytes: u64) -> Result<(), Shortage> {
         self.check(bytes)?;
         self.taken.fetch_add(bytes, Ordering::Relaxed);
@@ -108,7 +109,7 @@ impl MemoryLimit {
         self.take(bytes)
     }
 
-    /// Asks for so many bytes for a while: to be called before they are allocated, for what is freed again soon.
+    /// Asks for so many bytes for a while. Callers call it before they allocate memory that they will free soon.
     ///
     /// # Errors
     /// Fewer are left.
@@ -125,17 +126,17 @@ impl MemoryLimit {
 }
 
 impl Shortage {
-    /// The error, laid to a place in a file. `what` is in the plural, as in '20 triangles'.
+    /// The error at a place in a file. `what` is in the plural, as in '20 triangles'.
     pub fn at(self, place: Place, what: impl fmt::Display) -> Error {
         Error::input(place, self.sentence(what), REMEDY)
     }
 
-    /// The error, of something that is in no file.
+    /// The error for something that is in no file.
     pub fn of(self, what: impl fmt::Display) -> Error {
         Error::usage(self.sentence(what), REMEDY)
     }
 
-    /// What is wrong and what to do, for an error that is laid to its place later.
+    /// What is wrong and what to do, for an error that gets its place later.
     pub(crate) fn words(self, what: impl fmt::Display) -> (String, &'static str) {
         (self.sentence(what), REMEDY)
     }
@@ -146,10 +147,10 @@ impl Shortage {
     }
 }
 
-/// A number of bytes as a person says it.
+/// A number of bytes, as a person writes it.
 struct Bytes(u64);
 
-/// From the largest to the smallest that is said.
+/// Units, from the largest to the smallest.
 const UNITS: [(char, u64); 4] = [
     ('T', 1 << 40),
     ('G', 1 << 30),
@@ -184,7 +185,7 @@ impl FromStr for MemoryLimit {
         let (number, unit) = UNITS.iter().find_map(of_unit).unwrap_or((short, 1));
         let number: f64 = number.trim_end().parse().map_err(|_| wrong())?;
         let bytes = number * unit as f64;
-        // 2^63, which is more than there is.
+        // 2^63 bytes, which no machine has.
         if !(1.0..9.2e18).contains(&bytes) {
             return Err(wrong());
         }
@@ -192,7 +193,7 @@ impl FromStr for MemoryLimit {
     }
 }
 
-/// Bytes that this process may still take before others suffer; nothing where the system does not say.
+/// The number of bytes that this process may still take before others suffer. `None` if the system does not say.
 fn available() -> Option<u64> {
     if !sysinfo::IS_SUPPORTED_SYSTEM {
         return None;
@@ -200,7 +201,7 @@ fn available() -> Option<u64> {
     let mut system = sysinfo::System::new();
     system.refresh_memory();
     let of_machine = system.available_memory();
-    // What a group counts as used has the files that the system keeps in memory, and gives up when asked.
+    // A group's used memory includes files that the system keeps in memory and gives up on demand.
     let of_group = system.cgroup_limits();
     let of_group = of_group.map(|group| group.total_memory.saturating_sub(group.rss));
     let available = of_group.map_or(of_machine, |group| group.min(of_machine));

@@ -19,10 +19,10 @@ use super::setup::Setup;
 
 /// Render a scene's camera path to numbered pictures and a table
 ///
-/// The folder gets frame-00000.png and so on, frame-00000.csv beside each with its time, complexity and counters, and
-/// frames.csv, which joins what is there. A frame that is whole is kept, so an interrupted command goes on when it is
-/// repeated. Several commands may fill one folder at once, each with frames of its own. A scene, method or size that is
-/// not the folder's is refused. Without [path] in the scene file the camera turns once in 36 frames.
+/// The folder gets frame-00000.png and so on. Beside each picture, frame-00000.csv has the frame's time, complexity and
+/// counters. frames.csv joins these rows. A frame that is whole is kept, so an interrupted command continues when it is
+/// repeated. Several commands may fill one folder at once, each with frames of its own. The folder refuses frames of
+/// another scene, method or size. Without [path] in the scene file, the camera turns once in 36 frames.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Animate {
@@ -30,10 +30,10 @@ pub(super) struct Animate {
     setup: Setup,
     #[command(flatten)]
     method: MethodOptions,
-    /// The folder of the pictures; it is made if it is not there
+    /// The folder of the pictures. It is made if it is missing
     #[arg(short, long, value_name = "FOLDER")]
     output: PathBuf,
-    /// Only the frames from A up to and without B, counted from 0
+    /// Only the frames from A to B, counted from 0; B itself is left out
     #[arg(long, value_name = "A..B", value_parser = frames)]
     frames: Option<Range<u32>>,
     #[command(flatten)]
@@ -49,7 +49,7 @@ Examples:
   onionskin animate scene.toml -o frames -m ppll+ppao --size 512x384
   onionskin animate scene.toml -o frames --frames 100..200   the second of a job array's parts";
 
-/// What was done.
+/// The JSON object of an animation.
 #[derive(Serialize)]
 struct Done<'a> {
     scene: &'a str,
@@ -122,7 +122,7 @@ impl Animate {
         Ok(range)
     }
 
-    /// Whatever makes the pictures what they are. The folder keeps it as its first file.
+    /// Everything that the pictures depend on. The folder keeps it as its first file.
     fn identity(&self, animation: &Animation, method: &Method) -> Vec<(&'static str, String)> {
         let [width, height] = animation.scene.size;
         vec![
@@ -136,7 +136,7 @@ impl Animate {
         ]
     }
 
-    /// Renders what is not there yet; answers how many frames that were.
+    /// Renders the frames that are missing, and returns their number.
     fn fill(
         &self,
         folder: &FrameFolder,
@@ -153,7 +153,7 @@ impl Animate {
             if !folder.has(number) {
                 let scene = animation.frame(number)?;
                 if rendered == 0 {
-                    // The first frame compiles the shaders, which is none of its time.
+                    // The first frame compiles the shaders, which does not count as its time.
                     renderer.render(&scene, method)?;
                 }
                 let frame = renderer.render(&scene, method)?;

@@ -18,24 +18,25 @@ use super::setup::Setup;
 
 /// Check an image against the exact one
 ///
-/// Renders the scene exactly, compares, and writes a difference picture of three panels: the image, the exact one, and
-/// their difference made visible. Exits with 1 if a channel of a pixel differs by more than the bound, and says what the
-/// difference looks like if it is one of the usual mistakes: sRGB, alpha, flips, shifts, channels, background.
+/// Renders the scene exactly, compares, and writes a difference picture of three panels: the image, the exact image,
+/// and their difference made visible. Exits with 1 if a channel of a pixel differs by more than the bound. If the
+/// difference looks like one of the usual mistakes (sRGB, alpha, flips, shifts, channels, background), it says which.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Check {
     #[command(flatten)]
     setup: Setup,
-    /// The image, .png or .exr, of the scene's size. 8-bit values are taken as linear: give no image encoded as sRGB
+    /// The image, .png or .exr, of the scene's size. 8-bit values are taken as linear, so the image must not be encoded
+    /// as sRGB
     image: PathBuf,
     /// The largest difference of a channel that passes, 0 to 1. The default is one step of 8 bits, 1/255: half a step
-    /// for rounding to 8 bits, as much again for a renderer that truncates
+    /// for rounding to 8 bits, and half a step for a renderer that truncates
     #[arg(long, value_name = "DIFFERENCE", default_value_t = 1.0 / 255.0, hide_default_value = true)]
     bound: f64,
-    /// Where the difference picture goes, .png or .exr [default: difference.png, if it can be written]
+    /// The file of the difference picture, .png or .exr [default: difference.png, if it can be written]
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
-    /// What differences are multiplied by in the picture, to be seen
+    /// The factor by which differences are multiplied in the picture, to make them visible
     #[arg(long, value_name = "FACTOR", default_value_t = 8.0)]
     gain: f32,
     /// Print one JSON object and nothing else
@@ -67,13 +68,13 @@ struct Verdict<'a> {
     looks_like: Option<String>,
 }
 
-/// Where the difference picture goes if nobody says where.
+/// The difference picture's default file.
 const DIFFERENCE: &str = "difference.png";
 
 impl Check {
     pub(super) fn run(self) -> Result<ExitCode> {
         self.check_arguments()?;
-        // The header alone: a small file may hold, or say that it holds, a picture that is enormous.
+        // Only the header is read first: a small file may hold an enormous picture, or say that it does.
         let size = Image::size_of_file(&self.image)?;
         let scene = self.setup.scene()?;
         self.check_size(size, scene.size)?;
@@ -135,8 +136,8 @@ impl Check {
         })
     }
 
-    /// Writes the difference picture where it was told to; else beside the reader, if it can. The verdict does not depend
-    /// on it.
+    /// Writes the difference picture to --output, or to its default file if that is possible. The verdict does not
+    /// depend on it.
     fn write(&self, picture: &Image) -> Result<Option<&Path>> {
         if let Some(path) = &self.output {
             picture.save(path)?;
@@ -165,7 +166,7 @@ impl Check {
         ))
     }
 
-    /// Whatever can be wrong with the arguments is said before anything long begins.
+    /// All faults of the arguments are reported before anything long begins.
     fn check_arguments(&self) -> Result<()> {
         if !(0.0..=1.0).contains(&self.bound) {
             return Err(Error::usage(

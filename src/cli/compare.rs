@@ -16,15 +16,16 @@ use super::slices::Slices;
 
 /// Compare methods on one scene: passes, time, and error against the exact image
 ///
-/// Iterations are rounds of the method's loop; passes, how often the transparent geometry was drawn; lost
-/// fragments belong into the image and are not in it. Memory is what the method allocates on the GPU besides the
-/// geometry. Times are milliseconds a frame: medians of several frames after a warm-up, readback left out; they compare
-/// within one run only. Errors are differences of a channel from the exact image, 0 to 1, in all pixels but those that hang
-/// on a difference of depth that the depth buffer cannot hold; these are counted below the table.
+/// Iterations are the rounds of the method's loop. Passes are how often the transparent geometry was drawn. Lost
+/// fragments belong in the image and are not in it. Memory is what the method allocates on the GPU besides the
+/// geometry. Times are milliseconds per frame: the median of several frames after a warm-up, without readback. They can
+/// be compared only within one run. Errors are differences of a channel from the exact image, 0 to 1. They leave out
+/// pixels that depend on a difference of depth that the depth buffer cannot hold; these pixels are counted below the
+/// table.
 ///
-/// Of methods with fragment lists a second table has the bytes of the lists in the largest band, how many records were
-/// read from them, how often all pixels' lists were walked, how often the one that was walked most, and how many elements
-/// of local arrays were there for the pixels and held a fragment at some time.
+/// For methods with fragment lists there is a second table. It has the bytes of the lists in the largest band, the
+/// number of records read from the lists, the number of walks of all pixels' lists and of the list that was walked most
+/// often, and how many elements of local arrays were reserved and how many of them held a fragment at some time.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Compare {
@@ -35,7 +36,7 @@ pub(super) struct Compare {
     /// Methods, separated by commas, or all; `onionskin methods` describes them
     #[arg(short, long, value_name = "METHODS", default_value = "all")]
     method: String,
-    /// Print one JSON object a method and nothing else
+    /// Print one JSON object per method and nothing else
     #[arg(long)]
     json: bool,
 }
@@ -48,7 +49,7 @@ Examples:
 
 impl Compare {
     pub(super) fn run(self) -> Result<ExitCode> {
-        // What the methods are called is said before anything long begins.
+        // Wrong names of methods are reported before anything long begins.
         let mut methods = self.methods()?;
         let scene = self.setup.scene()?;
         self.slices.check_scene(&scene)?;
@@ -73,7 +74,7 @@ impl Compare {
             let frame = renderer.measure(&scene, &method, FRAMES)?;
             let error = Errors::new(&frame, &exact)?;
             progress.part_done();
-            // Of many methods' large images none needs to stay.
+            // No method's image is kept, because many of them may be large.
             results.push((frame.stats, error));
         }
         drop(progress);
@@ -110,7 +111,7 @@ impl Compare {
     }
 }
 
-/// Says so where a method does not.
+/// Prints a note if a method lost fragments.
 fn runs_here(method: &Method, context: &Context) -> bool {
     let entry = method.entry();
     let runs = entry.runs_on(context.driver());
@@ -121,7 +122,7 @@ fn runs_here(method: &Method, context: &Context) -> bool {
     runs
 }
 
-/// How many pixels the errors leave out, and how wrong they are.
+/// Notes about the pixels that the errors leave out: their number, and how wrong they are.
 fn hanging(results: &[(Stats, Errors)]) -> Option<String> {
     let pixels = results.first()?.1.hanging_pixels;
     let worst = results
@@ -164,7 +165,7 @@ fn table(results: &[(Stats, Errors)]) -> Table {
     numbers_to_the_right(table)
 }
 
-/// What the fragment lists have cost the methods that have any.
+/// The costs of fragment lists, for the methods that have them.
 fn table_of_lists(results: &[(Stats, Errors)]) -> Option<Table> {
     let mut table = empty_table(&[
         "fragment lists",
@@ -199,7 +200,7 @@ fn empty_table(header: &[&str]) -> Table {
     table
 }
 
-/// All but the method.
+/// The cells after the method's name.
 fn numbers_to_the_right(mut table: Table) -> Table {
     for column in table.column_iter_mut().skip(1) {
         column.set_cell_alignment(CellAlignment::Right);

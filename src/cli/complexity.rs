@@ -15,27 +15,27 @@ use super::setup::Setup;
 
 /// Count how many layers each pixel has, and print their histogram
 ///
-/// Depth complexity is the number of transparent fragments of a pixel that no opaque surface hides. It says what a method
-/// will cost: peeling takes a pass for each layer of the deepest pixel, fragment lists take memory for every fragment.
-/// The picture is inverted as in Lindholm et al.: white has no fragment, black the most.
+/// Depth complexity is the number of transparent fragments of a pixel that no opaque surface hides. It determines the
+/// cost of a method: peeling takes a pass for each layer of the deepest pixel, and fragment lists take memory for every
+/// fragment. The picture is inverted as in Lindholm et al.: a white pixel has no fragment, a black one the most.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Complexities {
     #[command(flatten)]
     setup: Setup,
-    /// Where the picture of all pixels' complexities goes, .png or .exr
+    /// The file of the picture of all pixels' complexities, .png or .exr
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
-    /// Where the histogram's plot goes, .svg or .png; its axis of pixels is logarithmic
+    /// The file of the histogram's plot, .svg or .png. Its axis of pixels is logarithmic
     #[arg(long, value_name = "FILE")]
     plot: Option<PathBuf>,
-    /// Where the histogram's numbers go, .csv
+    /// The file of the histogram's numbers, .csv
     #[arg(long, value_name = "FILE")]
     csv: Option<PathBuf>,
-    /// How many complexities are one bin of the histogram
+    /// The number of complexities in a bin of the histogram
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
     bin: u32,
-    /// How fragments are counted; the result is the same, but for stencil, which ends at 255
+    /// How fragments are counted. The result is the same, except that stencil ends at 255
     #[arg(long, value_enum, default_value_t = By::Blending)]
     by: By,
     /// Print one JSON object and nothing else
@@ -53,7 +53,7 @@ Examples:
 enum By {
     /// Additive blending into a 32-bit float
     Blending,
-    /// One atomic counter a pixel, as the paper has it
+    /// One atomic counter per pixel, as the paper has it
     Atomics,
     /// The stencil buffer: 255 means 255 or more
     Stencil,
@@ -94,7 +94,7 @@ impl Complexities {
         Ok(ExitCode::SUCCESS)
     }
 
-    /// Whatever can be wrong with them is said before anything long begins.
+    /// All faults of the arguments are reported before anything long begins.
     fn check_paths(&self) -> Result<()> {
         if let Some(path) = &self.output {
             FileKind::of(path)?;
@@ -183,7 +183,7 @@ impl Complexities {
     }
 }
 
-/// On a logarithmic scale, the longest 40 characters.
+/// A bar on a logarithmic scale. The longest one has 40 characters.
 fn bar(pixels: u64, most: u64) -> String {
     let length = ((pixels + 1) as f64).ln() / ((most + 1) as f64).ln() * 40.0;
     "#".repeat(length.round() as usize)

@@ -1,4 +1,4 @@
-//! `onionskin doctor`: what OpenGL there is, and what will not work with it.
+//! `onionskin doctor`: which OpenGL is there, and what will not work with it.
 
 use std::process::ExitCode;
 
@@ -10,14 +10,14 @@ use super::driver_report::{Form, Report};
 use super::output::say;
 use super::probe;
 
-/// Report the OpenGL that is there and what will not work with it
+/// Report which OpenGL is there and what will not work with it
 ///
-/// Tries every way to a context: for each, the renderer, its version, its limits, the extensions that methods want,
-/// and the driver's known traps. One way is enough; OSMesa is optional, and Mesa 25.1 and later do not have it. Exits with
-/// 2 if there is no way at all, and says what to install.
+/// Tries every backend. For each, it prints the renderer, its version, its limits, the extensions that methods need,
+/// and the driver's known traps. One backend is enough. OSMesa is optional, and Mesa 25.1 and later do not have it. If
+/// no backend works, it exits with 2 and says what to install.
 #[derive(Args)]
 pub(super) struct Doctor {
-    /// Print one JSON object a backend and nothing else
+    /// Print one JSON object per backend and nothing else
     #[arg(long)]
     json: bool,
 }
@@ -40,7 +40,7 @@ impl Doctor {
                         .map(|attempt| format!("{}: {}", attempt.what, attempt.answer));
                     let answer = answers.collect::<Vec<_>>().join("; ");
                     errors.extend(tried);
-                    // With EGL nothing is missing.
+                    // If EGL works, nothing is missing.
                     Report::failed(backend, answer, works).print(form)?;
                 }
                 Err(error) => return Err(error),

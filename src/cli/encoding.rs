@@ -1,4 +1,4 @@
-//! The argument that says how pictures store their colours.
+//! The argument for the encoding of colours in pictures.
 
 use clap::Args;
 use onionskin::image::Encoding;

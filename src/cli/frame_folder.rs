@@ -1,5 +1,6 @@
-//! The folder that `animate` fills, safe for several commands at a time: every file belongs to one frame and appears
-//! whole, and the two that belong to all have the same content whoever writes them last.
+//! The folder that `animate` fills. Several commands may fill it at once. Every file belongs to one frame and appears
+//! whole, except two files that belong to all frames, whose content does not depend on the command that writes them
+//! last.
 
 use std::fs::{self, File};
 use std::io::{ErrorKind, Write};
@@ -9,24 +10,24 @@ use onionskin::image::{Encoding, Image, UNFINISHED};
 use onionskin::report::save_text;
 use onionskin::{Error, Result};
 
-/// What the frames are of.
+/// The file of the folder's identity: the scene, the method and so on.
 const IDENTITY: &str = "animation.txt";
-/// All frames' rows.
+/// The file of all frames' rows.
 const TABLE: &str = "frames.csv";
 
 /// A folder of frames that belong together.
 pub(super) struct FrameFolder {
     path: PathBuf,
-    /// The identity, locked for sharing while this command may write: whoever can lock it alone is the last one. The
-    /// system ends a killed command's lock.
+    /// The identity, with a shared lock while this command may write. A command that gets an exclusive lock is the last
+    /// one. The system ends the lock of a killed command.
     held: File,
 }
 
 impl FrameFolder {
-    /// Makes the folder, or takes the one that is there if its frames are of the same scene, method and size.
+    /// Makes the folder, or takes an existing one if its frames are of the same scene, method and size.
     ///
     /// # Errors
-    /// It cannot be written, or its frames are of something else.
+    /// If the folder cannot be written, or its frames are of something else.
     pub(super) fn open(path: &Path, identity: &[(&'static str, String)]) -> Result<Self> {
         match fs::create_dir(path) {
             Err(error) if error.kind() != ErrorKind::AlreadyExists || !path.is_dir() => {
@@ -40,7 +41,7 @@ impl FrameFolder {
                 found(&kept, identity)?;
             }
             let held = File::open(&kept)?;
-            // A file system without locks keeps what killed commands leave, and all else is as elsewhere.
+            // On a file system without locks, files of killed commands stay. Everything else works as elsewhere.
             let _ = held.lock_shared();
             Ok(held)
         };
@@ -74,7 +75,7 @@ impl FrameFolder {
         Ok(())
     }
 
-    /// Whether a frame is there. Its row is written last.
+    /// Whether a frame is whole. Its row is written last.
     pub(super) fn has(&self, number: u32) -> bool {
         self.picture(number).is_file() && self.row(number).is_file()
     }
@@ -91,8 +92,8 @@ impl FrameFolder {
         save_text(&self.row(number), row)
     }
 
-    /// Joins the rows that are there, and answers where and how many. Whoever ends last has them all, and takes away what
-    /// killed commands have left unfinished.
+    /// Joins the existing rows. Returns their file and their number. The command that ends last joins all rows, and
+    /// removes unfinished files of killed commands.
     pub(super) fn join(self, frames: u32) -> Result<(PathBuf, u32)> {
         let (mut table, mut rows) = (String::new(), 0);
         for number in (0..frames).filter(|&number| self.has(number)) {
@@ -117,7 +118,7 @@ impl FrameFolder {
         }
         let entries = fs::read_dir(&self.path).into_iter().flatten().flatten();
         for entry in entries.filter(|e| e.file_name().to_string_lossy().starts_with(UNFINISHED)) {
-            // What cannot be taken away is in nobody's way.
+            // A file that cannot be removed does no harm.
             let _ = fs::remove_file(entry.path());
         }
     }
@@ -142,7 +143,7 @@ fn found(kept: &Path, identity: &[(&'static str, String)]) -> std::io::Result<()
         .tempfile_in(kept.parent().unwrap_or(Path::new(".")))?;
     file.write_all(text.as_bytes())?;
     match file.persist_noclobber(kept) {
-        // Another command was faster, and may have tidied this one's away.
+        // Another command was faster, and may have removed this one's file.
         Err(_) if kept.exists() => Ok(()),
         Err(error) => Err(error.error),
         Ok(_) => Ok(()),

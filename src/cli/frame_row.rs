@@ -1,12 +1,12 @@
-//! What `animate` writes of a frame besides its picture.
+//! The row that `animate` writes for a frame, besides its picture.
 
 use onionskin::methods::{Complexity, Stats};
 
-/// A line of the table. Everything but `ms` is a count and the same on every run.
+/// A row of the table. Everything but `ms` is a count, and is the same in every run.
 pub(super) struct FrameRow(Vec<(&'static str, String)>);
 
 impl FrameRow {
-    /// Its columns in order. What the method does not count is left empty.
+    /// The columns in order. A value that the method does not count is left empty.
     pub(super) fn new(frame: u32, stats: &Stats, complexity: &Complexity) -> Self {
         let lists = stats.a_buffer.as_ref();
         let optional = |value: Option<u64>| value.map_or_else(String::new, |v| v.to_string());

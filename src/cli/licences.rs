@@ -1,4 +1,4 @@
-//! `onionskin licences`: under what the program and what is embedded in it may be passed on.
+//! `onionskin licences`: the licences of the program and of the files that are embedded in it.
 
 use std::process::ExitCode;
 
@@ -9,11 +9,11 @@ use super::output::say;
 
 /// Print the licences of the program and of the font that is embedded in it
 ///
-/// Whoever passes the binary on passes these texts on with it; the binary has them, so that they are never apart.
+/// A copy of the binary must come with these texts. The binary contains them, so that it always does.
 #[derive(Args)]
 pub(super) struct Licences {}
 
-/// The font of plots as its own name table has it, and its licence, which must go with every copy.
+/// The font of plots, as the font's name table describes it, and its licence, which must go with every copy.
 const FONT: &str = include_str!("licences/ubuntu_font_licence.txt");
 
 impl Licences {

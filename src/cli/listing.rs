@@ -12,28 +12,29 @@ use super::output::say;
 
 /// Print the papers' listings
 ///
-/// They are printed from the data that runs: by default as amended, each amendment with its reason; with --as-printed
-/// as the paper has them. Without an argument, says which there are. Needs no OpenGL.
+/// The listings are printed from the data that runs. By default they are printed as amended, each amendment with its
+/// reason, and with --as-printed as the paper has them. Without an argument, the names of all listings are printed.
+/// Needs no OpenGL.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Listing {
     /// A paper, for all of its listings, or one listing, such as everitt/listing-1
     #[arg(value_name = "PAPER[/LISTING]")]
     name: Option<String>,
-    /// As the paper has it, with nothing amended
+    /// Print the listing as the paper has it, without amendments
     #[arg(long)]
     as_printed: bool,
-    /// The flat trace of N rounds of its loop instead, 1 to 1000: a line a call, every argument named
+    /// Print the calls of N rounds of the listing's loop instead, 1 to 1000: one call per line, every argument named
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1000))]
     unroll: Option<u32>,
-    /// The value of a variable that the listing reads and does not set, for --unroll; once for each
+    /// The value of a variable that the listing reads and does not set, for --unroll; give it once per variable
     #[arg(long, value_name = "NAME=VALUE", value_parser = variable, requires = "unroll")]
     set: Vec<(String, f64)>,
 }
 
 const EXAMPLES: &str = "\
 Examples:
-  onionskin listing                                     which there are
+  onionskin listing                                     the names of all listings
   onionskin listing everitt/listing-1 --as-printed
   onionskin listing everitt/listing-1 --unroll 2        two peels, call by call
   onionskin listing everitt/listing-1 --unroll 2 --set num_passes=3";
@@ -84,8 +85,8 @@ fn index() -> Result<ExitCode> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// The values of a listing's free variables: those that are set, and for some what a loop of so many rounds needs. Every
-/// query is answered as if each peel had found one fragment.
+/// The values of a listing's free variables: those that --set gives, and those that a loop of so many rounds needs.
+/// Every query is answered as if each peel had found one fragment.
 fn unroll(
     listing: &steps::Listing,
     amendments: &[Amendment],
@@ -109,7 +110,7 @@ fn unroll(
     let missing: Vec<&str> = free.iter().filter(missing).copied().collect();
     let mut recorder = Recorder::new().answering_every_query(1);
     let done = run(listing, amendments, variables, &mut recorder);
-    // A variable that is read only where an amendment stands instead is not missed.
+    // A variable need not have a value if it is read only in steps that an amendment replaces.
     done.map_err(|error| match missing[..] {
         [] => error,
         [first, ..] => Error::usage(
@@ -124,7 +125,7 @@ fn unroll(
     Ok(recorder.trace())
 }
 
-/// Variables that say how many rounds there are.
+/// Variables that give the number of rounds.
 const ROUNDS: [&str; 3] = ["num_passes", "num_layers", "iteration_limit"];
 
 fn not_free(name: &str, free: &[&str]) -> Error {
@@ -145,7 +146,7 @@ fn variable(text: &str) -> Result<(String, f64)> {
     };
     let (name, value) = text.split_once('=').ok_or_else(wrong)?;
     let value: f64 = value.trim().parse().map_err(|_| wrong())?;
-    // Loops end, and NaN is in no range.
+    // The range makes loops end, and excludes NaN.
     if name.trim().is_empty() || !(-1e6..=1e6).contains(&value) {
         return Err(wrong());
     }

@@ -1,25 +1,26 @@
-//! What renderings take, asked for before it is taken.
+//! The memory of renderings, which is asked for before it is taken.
 
 use onionskin::methods::{CountBy, Frame};
 use onionskin::{Method, Renderer, Result, Scene};
 
 use super::setup::Setup;
 
-/// What a frame takes at least: a colour and a depth for OpenGL, the colours that are read back, the image made of them, and
-/// the bytes of its file.
+/// The least bytes per pixel of a frame: a colour and a depth for OpenGL, the colours that are read back, the image
+/// made from them, and the bytes of its file.
 const BYTES_PER_PIXEL: u64 = 16 + 8 + 16 + 16 + 16;
 
-/// What the exact image keeps of a fragment: as it is read back, in a list that doubles as it grows, and sorted by pixels.
+/// The bytes per fragment of the exact image: as it is read back, in a list that doubles as it grows, and sorted by
+/// pixels.
 const BYTES_PER_FRAGMENT: u64 = 128;
 
-/// No driver renders larger images, and it says so itself.
+/// No driver renders larger images. A driver reports that itself.
 const LARGEST_SIDE: u32 = 32_768;
 
-/// What a mesh takes of OpenGL besides its vertices and triangles: llvmpipe's buffers and their state.
+/// The bytes of a mesh in OpenGL besides its vertices and triangles: llvmpipe's buffers and their state.
 const BYTES_PER_MESH: u64 = 4096;
 
 impl Setup {
-    /// The exact image. How many fragments it takes is counted before they are kept.
+    /// Renders the exact image. Its fragments are counted before they are kept.
     pub(super) fn exact(&self, renderer: &mut Renderer<'_>, scene: &Scene) -> Result<Frame> {
         let complexity = renderer.complexity(scene, CountBy::Blending)?;
         let fragments = complexity.fragments();
@@ -29,7 +30,8 @@ impl Setup {
         renderer.render(scene, &Method::Exact)
     }
 
-    /// Asks for what layers take that are kept: as many as the deepest pixel has, at most `peels` unless that is 0.
+    /// Asks for the memory of kept layers. There are as many as the deepest pixel has, and at most `peels` unless that
+    /// is 0.
     pub(super) fn check_layers(
         &self,
         renderer: &mut Renderer<'_>,
@@ -51,7 +53,7 @@ impl Setup {
             })
     }
 
-    /// Asks for what every rendering takes: a copy of the geometry for OpenGL, and images.
+    /// Asks for the memory of any rendering: a copy of the geometry for OpenGL, and images.
     pub(super) fn check_memory(&self, scene: &Scene) -> Result<()> {
         let [width, height] = scene.size;
         if width.max(height) > LARGEST_SIDE {

@@ -12,13 +12,14 @@ use super::output::{print_json, say};
 
 /// List the methods: where they are published, whether they are exact, what they need
 ///
-/// A method is exact if its image is, when nothing stops it early; of volumes, rays take the samples that the exact image
-/// has, and slices do not. Fragments of equal depth are ties: some methods keep only one of them. Memory is what it grows
-/// with. A full array keeps what the column says by default, whatever lies nearer, for the paper leaves it open (Lindholm
-/// et al. 2015, section 4); `--keep nearest` keeps the nearest.
+/// A method is exact if its image is exact whenever nothing stops it early. Of volumes, rays take the samples that the
+/// exact image has, and slices do not. Fragments of equal depth are ties; some methods keep only one of them. The
+/// column for memory says with what it grows. By default a full array keeps the fragments that its column names, even
+/// if others are nearer, because the paper leaves this open (Lindholm et al. 2015, section 4). `--keep nearest` keeps
+/// the nearest.
 #[derive(Args)]
 pub(super) struct Methods {
-    /// Print one JSON object a method and nothing else
+    /// Print one JSON object per method and nothing else
     #[arg(long)]
     json: bool,
 }

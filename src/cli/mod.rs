@@ -1,4 +1,4 @@
-//! One file a subcommand; here is what they share.
+//! The command line: one file per subcommand. This file has what they share.
 
 mod animate;
 mod arguments;
@@ -31,8 +31,9 @@ use clap::{Parser, Subcommand};
 
 /// Correct transparency as it was published, run headless.
 ///
-/// Renders scenes of transparent surfaces by the methods of four publications, holds them against an exact image, counts
-/// their layers, and prints the listings it runs. Needs OpenGL 4.3, but neither display nor GPU: Mesa's software renderer will do.
+/// Renders scenes of transparent surfaces by the methods of four publications, compares the images with an exact one,
+/// counts layers, and prints the listings that it runs. Needs OpenGL 4.3, but neither a display nor a GPU: Mesa's
+/// software renderer will do.
 #[derive(Parser)]
 #[command(version, after_help = EXAMPLES)]
 struct Cli {
@@ -42,9 +43,9 @@ struct Cli {
 
 const EXAMPLES: &str = "\
 Examples:
-  onionskin doctor                                     is there an OpenGL that will do?
+  onionskin doctor                                     is a suitable OpenGL there?
   onionskin render model.obj -o model.png              the exact image of a model
-  onionskin compare examples/scenes/teapot.toml        which method is how wrong, and how slow
+  onionskin compare examples/scenes/teapot.toml        how wrong and how slow each method is
   onionskin check examples/scenes/teapot.toml my.png   is my renderer's image right?
   onionskin complexity examples/scenes/teapot.toml     how many layers each pixel has
   onionskin animate scene.toml -o frames               a camera path as pictures and a table
@@ -52,7 +53,7 @@ Examples:
 
 `onionskin COMMAND --help` explains the arguments, `onionskin render --help` also scene files.
 Results go to standard output; notes and errors go to standard error.
-Exit codes: 0 done, 1 `check` found a difference, 2 it could not be done.";
+Exit codes: 0 done, 1 `check` found a difference, 2 the command failed.";
 
 #[derive(Subcommand)]
 enum Command {

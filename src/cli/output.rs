@@ -1,7 +1,6 @@
-//! Standard output, for results and for nothing else; standard error, for notes and errors.
+//! Standard output has results and nothing else; standard error has notes and errors.
 //!
-//! Everything goes through here, and no character of a file or of an argument that would do something to a terminal gets
-//! through.
+//! Everything is printed from here. No character of a file or of an argument that affects a terminal gets through.
 
 use std::fmt::Display;
 use std::io::{ErrorKind, Write, stderr, stdout};
@@ -10,7 +9,7 @@ use onionskin::error::{printable, printable_json, printable_lines};
 use onionskin::{Error, Result};
 use serde::Serialize;
 
-/// Prints a result. Whoever reads it may stop before the end (`| head`), and that is no error.
+/// Prints a result. Its reader may stop before the end (`| head`), which is not an error.
 pub(super) fn say(text: impl Display) -> Result<()> {
     print(&printable_lines(&text.to_string()))
 }
@@ -22,17 +21,17 @@ pub(super) fn print_json(record: &impl Serialize) -> Result<()> {
     print(&printable_json(&line))
 }
 
-/// Says something besides the result, in one line.
+/// Prints a note besides the result, in one line.
 pub(super) fn note(text: impl Display) {
     complain(&format!("note: {}", printable(&text.to_string())));
 }
 
-/// Says why there is no result.
+/// Prints the error that there is instead of a result.
 pub(super) fn fail(error: &Error) {
     complain(&format!("onionskin: {error}"));
 }
 
-/// Where standard error is broken there is nobody to be told, and the exit code says enough.
+/// If standard error is broken, nobody can be told, and the exit code says enough.
 pub(super) fn complain(text: &str) {
     let _ = writeln!(stderr(), "{}", printable_lines(text));
 }

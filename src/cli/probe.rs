@@ -1,5 +1,5 @@
-//! Trying a way to OpenGL in a process of its own, where that may crash or hang: drivers that an environment variable has
-//! chosen, and drivers without memory, do both.
+//! Trying a backend of OpenGL in a separate process if it may crash or hang. Drivers that an environment variable has
+//! chosen, and drivers without enough memory, do both.
 
 use std::io::Read;
 use std::process::{Child, Command, ExitCode, ExitStatus, Stdio};
@@ -12,17 +12,17 @@ use onionskin::{Context, Error, Result};
 
 use super::driver_report::{Form, Report};
 
-/// What the child is called with.
+/// The argument with which the child process is started.
 const NAME: &str = "probe";
 
-/// A context takes some tens of milliseconds; on a machine that is busy with other things, seconds.
+/// Making a context takes some tens of milliseconds, and seconds on a busy machine.
 const PATIENCE: Duration = Duration::from_secs(30);
 
 /// Make a context, draw with it and end
 #[derive(Args)]
 pub(super) struct Probe {
     backend: String,
-    /// Say what the doctor says of it, as text or as JSON
+    /// Print the doctor's report of it, as text or as JSON
     #[arg(long)]
     report: Option<Form>,
 }
@@ -35,13 +35,13 @@ impl Probe {
             Report::of(backend, &context)?.print(form)?;
             return Ok(ExitCode::SUCCESS);
         }
-        // Drivers without memory make contexts, and hang when they compile a shader.
+        // Drivers without enough memory make contexts, and hang when they compile a shader.
         GlMachine::new(&context, [64, 64])?.traps()?;
         Ok(ExitCode::SUCCESS)
     }
 }
 
-/// A context by this way, or by any if none is said. Ways that may crash are tried in a child first.
+/// A context of this backend, or of any backend if `None`. Backends that may crash are tried in a child process first.
 pub(super) fn context(backend: Option<Backend>) -> Result<Context> {
     if !is_doubtful() {
         return Context::new(ContextOptions {
@@ -61,14 +61,14 @@ pub(super) fn context(backend: Option<Backend>) -> Result<Context> {
             answer => return answer,
         }
     }
-    // What the variables do is said once, after everything that was tried.
+    // The effect of the variables is reported once, after everything that was tried.
     let suspects = suspect_variables();
     all.retain(|attempt| !suspects.contains(attempt));
     all.extend(suspects);
     Err(Error::NoContext { tried: all })
 }
 
-/// A context by one way, which is tried in a child first.
+/// A context of one backend, which is tried in a child process first.
 pub(super) fn tried(way: Backend) -> Result<Context> {
     match child(way, None) {
         Some(Ended::Badly(answer)) => Err(crashed(way, answer)),
@@ -76,14 +76,14 @@ pub(super) fn tried(way: Backend) -> Result<Context> {
     }
 }
 
-/// What the doctor says of one way, made in a child: the driver may hang even where the way was found good before, since
-/// every context takes more of a memory that is limited.
+/// The doctor's report of one backend, made in a child process. The driver may hang even if the backend worked before,
+/// because every context takes more of the limited memory.
 pub(super) fn report(way: Backend, form: Form) -> Result<String> {
     match child(way, Some(form)) {
         Some(Ended::Well(report)) => Ok(report),
         Some(Ended::Badly(answer)) => Err(crashed(way, answer)),
         _ => {
-            // The child has refused with words. They are had here.
+            // The child has failed with a message. Here the error is made again.
             let context = Context::new(of(way))?;
             GlMachine::new(&context, [64, 64])?.traps()?;
             let answer = "it works, but not in a process of its own".to_owned();
@@ -106,12 +106,12 @@ fn of(way: Backend) -> ContextOptions {
     }
 }
 
-/// Whether a driver may do worse than refuse.
+/// Whether a driver may crash or hang instead of failing.
 fn is_doubtful() -> bool {
     !suspect_variables().is_empty() || memory_is_limited()
 }
 
-/// Whether this process may not have as many addresses as it likes (`ulimit -v`): Mesa does not survive that.
+/// Whether the address space of this process is limited (`ulimit -v`), which Mesa does not survive.
 fn memory_is_limited() -> bool {
     let limits = std::fs::read_to_string("/proc/self/limits").unwrap_or_default();
     let addresses = limits
@@ -120,7 +120,7 @@ fn memory_is_limited() -> bool {
     addresses.is_some_and(|limit| !limit.trim_start().starts_with("unlimited"))
 }
 
-/// What else may be to blame.
+/// Other possible causes.
 fn limit() -> &'static str {
     if memory_is_limited() {
         "; the memory of this process is limited (ulimit -v), which Mesa does not survive"
@@ -129,24 +129,24 @@ fn limit() -> &'static str {
     }
 }
 
-/// How a child ended that made a context.
+/// How the child process that made a context ended.
 enum Ended {
-    /// With an image, and what it has printed.
+    /// It drew an image. This is what it printed.
     Well(String),
-    /// With an error.
+    /// It returned an error.
     Refused,
-    /// By a crash, or by us.
+    /// It crashed, or was killed.
     Badly(String),
 }
 
-/// `None` if no child can be made.
+/// Runs the child. `None` if no child can be started.
 fn child(way: Backend, form: Option<Form>) -> Option<Ended> {
     let mut command = Command::new(std::env::current_exe().ok()?);
     command.args([NAME, &way.to_string()]);
     if let Some(form) = form.and_then(|form| form.to_possible_value()) {
         command.args(["--report", form.get_name()]);
     }
-    // A report is shorter than what a pipe holds, so the child never waits for it to be read.
+    // A report is shorter than a pipe's buffer, so the child never waits for a reader.
     let child = command
         .stdin(Stdio::null())
         .stdout(Stdio::piped())
@@ -173,7 +173,7 @@ fn child(way: Backend, form: Option<Form>) -> Option<Ended> {
     })
 }
 
-/// `None` if it does not end; then it is ended.
+/// `None` if the child does not end in time. Then it is killed.
 fn wait(child: &mut Child) -> Option<ExitStatus> {
     let start = Instant::now();
     while start.elapsed() < PATIENCE {
@@ -193,7 +193,7 @@ fn signal(status: ExitStatus) -> Option<i32> {
     std::os::unix::process::ExitStatusExt::signal(&status)
 }
 
-/// Elsewhere a crash is an exit code that no part of this program ends with.
+/// On other systems, a crash is an exit code that this program does not use itself.
 #[cfg(not(unix))]
 fn signal(status: ExitStatus) -> Option<i32> {
     status.code().filter(|code| !(0..=2).contains(code))

@@ -1,4 +1,5 @@
-//! A bar for work that takes longer than a second. Nothing is shown before, nor where standard error is no terminal.
+//! A progress bar for work that takes longer than a second. Nothing is shown before that, or if standard error is not a
+//! terminal.
 
 use std::sync::mpsc::{Sender, channel};
 use std::thread::JoinHandle;
@@ -11,13 +12,13 @@ const PATIENCE: Duration = Duration::from_secs(1);
 
 pub(super) struct Progress {
     bar: ProgressBar,
-    /// Dropped when the work is done, which ends the thread.
+    /// It is dropped when the work is done, which ends the thread.
     done: Option<Sender<()>>,
     thread: Option<JoinHandle<()>>,
 }
 
 impl Progress {
-    /// Work of so many parts.
+    /// Progress of work of so many parts.
     pub(super) fn new(parts: u64, message: &str) -> Self {
         let template = if parts > 1 {
             "{bar:30} {pos}/{len} {msg} {elapsed}"
@@ -32,7 +33,7 @@ impl Progress {
         let (done, is_done) = channel::<()>();
         let late = bar.clone();
         let thread = std::thread::spawn(move || {
-            // An error after less than a second means that the work is done.
+            // An error within less than a second means that the work is done.
             if is_done.recv_timeout(PATIENCE) == Err(std::sync::mpsc::RecvTimeoutError::Timeout) {
                 late.set_draw_target(ProgressDrawTarget::stderr());
                 late.enable_steady_tick(Duration::from_millis(100));
@@ -45,12 +46,12 @@ impl Progress {
         }
     }
 
-    /// The next part begins.
+    /// Begins the next part.
     pub(super) fn next(&self, message: &str) {
         self.bar.set_message(printable(message).into_owned());
     }
 
-    /// A part is done.
+    /// Ends a part.
     pub(super) fn part_done(&self) {
         self.bar.inc(1);
     }

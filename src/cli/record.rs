@@ -1,4 +1,4 @@
-//! What `render --json` and `compare --json` say of a frame.
+//! The JSON object of a frame, for `render --json` and `compare --json`.
 
 use onionskin::Result;
 use onionskin::image::Comparison;
@@ -8,7 +8,7 @@ use serde::Serialize;
 /// How many frames a time is the median of.
 pub(super) const FRAMES: usize = 5;
 
-/// One result. The names are part of the command line's face.
+/// One result. The names are part of the command line's interface.
 #[derive(Serialize)]
 pub(super) struct Record<'a> {
     scene: &'a str,
@@ -32,8 +32,8 @@ pub(super) struct Record<'a> {
     hanging_max_error: f64,
 }
 
-/// How far a method's image is from the exact one: where it is wrong, and apart from that in the pixels that hang on a
-/// difference of depth that the depth buffer cannot hold.
+/// The difference of a method's image from the exact one. Pixels that depend on a difference of depth that the depth
+/// buffer cannot hold are kept apart from real errors.
 pub(super) struct Errors {
     pub(super) real: Comparison,
     pub(super) hanging: Comparison,
@@ -55,7 +55,7 @@ impl Errors {
     }
 }
 
-/// What only an A-buffer has.
+/// The values that only an A-buffer has.
 #[derive(Serialize)]
 struct Lists {
     bands: u32,

@@ -19,7 +19,7 @@ use super::setup::{SCENE_FILES, Setup};
 /// Render a scene by one method
 ///
 /// Writes the image and prints what the method did: how many passes it made, why it stopped, and how many fragments
-/// that belong into the image are not in it.
+/// that belong in the image are not in it.
 #[derive(Args)]
 #[command(after_help = EXAMPLES, after_long_help = format!("{EXAMPLES}\n\n{SCENE_FILES}"))]
 pub(super) struct Render {
@@ -27,7 +27,7 @@ pub(super) struct Render {
     setup: Setup,
     #[command(flatten)]
     method: MethodOptions,
-    /// Where the image goes: .png (8 bits) or .exr (32-bit float)
+    /// The file of the image: .png (8 bits) or .exr (32-bit float)
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
     #[command(flatten)]
@@ -47,7 +47,7 @@ Examples:
 
 impl Render {
     pub(super) fn run(self) -> Result<ExitCode> {
-        // Whatever can be wrong with the arguments is said before anything long begins.
+        // All faults of the arguments are reported before anything long begins.
         let method = self.method.method()?;
         FileKind::of(&self.output)?;
         check_writable(&self.output)?;
@@ -65,7 +65,7 @@ impl Render {
             self.setup.check_layers(&mut renderer, &scene, peels)?;
         }
         let progress = Progress::new(1, &format!("rendering {} by {method}", scene.name));
-        // A picture needs one frame; a time that is to be compared needs several.
+        // A picture needs one frame, but a time that can be compared needs several.
         let frame = if self.json {
             renderer.measure(&scene, &method, FRAMES)?
         } else if method == Method::Exact {
@@ -91,10 +91,10 @@ impl Render {
         Ok(ExitCode::SUCCESS)
     }
 
-    /// Last of all, so that an error before it leaves no file behind.
+    /// This comes last, so that an earlier error leaves no file behind.
     fn write(&self, frame: &Frame) -> Result<()> {
         let encoding = self.encoding.encoding();
-        // Listing 1 as printed keeps its layers whether they are asked for or not.
+        // Listing 1 as printed keeps its layers even if they are not asked for.
         let layers = if self.method.chosen.has("layers") {
             &frame.layers[..]
         } else {

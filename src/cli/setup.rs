@@ -1,4 +1,4 @@
-//! Arguments that several subcommands have: which scene, at which size, by which OpenGL.
+//! Arguments that several subcommands share: the scene, its size, the OpenGL.
 
 use std::cell::OnceCell;
 use std::path::PathBuf;
@@ -15,12 +15,12 @@ use super::progress::Progress;
 
 const RENDERING: &str = "Options of every rendering";
 
-/// What a scene file looks like, for the help.
+/// An example of a scene file, for the help.
 pub(super) const SCENE_FILES: &str = r#"Scene files:
   size = [1024, 768]              # pixels
   background = [1.0, 1.0, 1.0]    # linear RGB, 0 to 1
 
-  [camera]                        # what is left out is fitted to what there is
+  [camera]                        # keys that are left out are fitted to the geometry
   eye = [0.0, 0.0, 3.0]
   target = [0.0, 0.0, 0.0]
   up = [0.0, 1.0, 0.0]
@@ -28,7 +28,7 @@ pub(super) const SCENE_FILES: &str = r#"Scene files:
 
   [[mesh]]                        # as many as you like, drawn in this order
   file = "model.obj"              # starts at the scene file's folder
-  color = [0.8, 0.55, 0.3]        # the model's own if left out
+  color = [0.8, 0.55, 0.3]        # default: the model's own
   opacity = 0.4                   # 1 is opaque
   shading = "none"                # none (flat unlit colour), flat, lit, two-sided
 
@@ -39,8 +39,8 @@ pub(super) const SCENE_FILES: &str = r#"Scene files:
     { value = 0.0, color = [1.0, 1.0, 1.0], density = 0.0 },
     { value = 5.0, color = [0.1, 0.2, 0.9], density = 0.4 },
   ]
-  name = "fog"                    # for isosurfaces and [[path.show]]; a mesh may have one, too
-  hidden = false                  # true: there for its isosurfaces only
+  name = "fog"                    # for isosurfaces and [[path.show]]; a mesh may have a name, too
+  hidden = false                  # true: used for isosurfaces only
 
   [[mesh]]
   generate = "isosurface"         # where a volume has a value
@@ -50,19 +50,19 @@ pub(super) const SCENE_FILES: &str = r#"Scene files:
   [path]                          # for `onionskin animate`
   frames = 400
   rotate = 360.0                  # degrees about the target, over all frames
-  dolly = 0.4                     # in to this part of the distance, and back ...
+  dolly = 0.4                     # the eye comes as near as this part of its distance, and goes back ...
   dolly_frames = 200              # ... in so many frames
 
   [[path.show]]
   from = 100                      # from this frame on ...
-  sources = ["fog"]               # ... only what has one of these names"#;
+  sources = ["fog"]               # ... only meshes and volumes with one of these names are shown"#;
 
 #[derive(Args)]
 pub(super) struct Setup {
-    /// A scene file (.toml), or a model (.obj), which a camera is fitted to
+    /// A scene file (.toml), or a model (.obj), to which a camera is fitted
     #[arg(value_name = "SCENE|MODEL")]
     pub(super) scene: PathBuf,
-    /// Width and height of the image in pixels; if left out the scene's, and 1024x768 for a model
+    /// Width and height of the image in pixels [default: the scene's, and 1024x768 for a model]
     #[arg(long, value_name = "WxH", value_parser = size, help_heading = RENDERING)]
     size: Option<[u32; 2]>,
     /// How the image and the layers store their colours
@@ -71,17 +71,17 @@ pub(super) struct Setup {
     /// How depths are stored
     #[arg(long, value_enum, default_value_t = Depth::D32f, help_heading = RENDERING)]
     depth: Depth,
-    /// Between which clip planes depths are stored
+    /// The clip planes between which depths are stored
     #[arg(long, value_enum, default_value_t = Planes::Fitted, help_heading = RENDERING)]
     planes: Planes,
-    /// Test, store and compare 1/w instead of window-space depth: exact to a part of the distance, but slower
+    /// Test, store and compare 1/w instead of window-space depth: its error is a part of the distance, but it is slower
     #[arg(long, help_heading = RENDERING)]
     inverse_w: bool,
-    /// The most memory that is taken, such as 8G or 500M; what needs more is refused before it is taken [default: what
-    /// the machine has left]
+    /// The most memory that may be taken, such as 8G or 500M. Work that needs more is refused before it begins
+    /// [default: the memory that the machine has left]
     #[arg(long, value_name = "SIZE", help_heading = RENDERING)]
     max_memory: Option<MemoryLimit>,
-    /// What there is if nobody says how much, asked once.
+    /// The default limit, which is asked of the system once.
     #[arg(skip)]
     of_machine: OnceCell<MemoryLimit>,
     #[command(flatten)]
@@ -90,7 +90,7 @@ pub(super) struct Setup {
 
 #[derive(Args)]
 pub(super) struct Gl {
-    /// How to get at OpenGL: egl or osmesa; whichever is there if left out, egl first
+    /// The backend of OpenGL: egl or osmesa [default: the first of them that works]
     #[arg(long, env = "ONIONSKIN_BACKEND", hide_env_values = true, value_name = "BACKEND", help_heading = RENDERING)]
     backend: Option<String>,
 }
@@ -107,7 +107,7 @@ enum Color {
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
 enum Depth {
-    /// 24 bits; shows what goes wrong when they are sampled
+    /// 24 bits, which show what goes wrong when they are sampled
     D24,
     /// 32-bit float
     D32f,
@@ -115,14 +115,14 @@ enum Depth {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Planes {
-    /// Close around what there is to see between the scene's: nothing more is cut off
+    /// Planes between the scene's, close around the geometry: nothing more is cut off
     Fitted,
     /// The scene's near and far plane as they are
     Given,
 }
 
 impl Gl {
-    /// The context that is asked for.
+    /// The context that the arguments ask for.
     pub(super) fn context(&self) -> Result<Context> {
         probe::context(self.backend()?)
     }
@@ -134,14 +134,14 @@ impl Gl {
 }
 
 impl Setup {
-    /// Loads the scene. What was repaired on the way goes to standard error.
+    /// Loads the scene. Notes about repairs go to standard error.
     pub(super) fn scene(&self) -> Result<Scene> {
         Ok(self.animation()?.scene)
     }
 
-    /// Loads the scene with its camera path. What was repaired on the way goes to standard error.
+    /// Loads the scene with its camera path. Notes about repairs go to standard error.
     pub(super) fn animation(&self) -> Result<Animation> {
-        // Known to be wrong before anything long begins.
+        // Faults are reported before anything long begins.
         self.gl.backend()?;
         let options = LoadOptions {
             size: self.size,
@@ -159,13 +159,13 @@ impl Setup {
         Ok(animation)
     }
 
-    /// How much memory may be taken. What is taken is taken of the same, whoever asks.
+    /// The memory limit. All callers share it.
     pub(super) fn memory(&self) -> MemoryLimit {
         let of_machine = || self.of_machine.get_or_init(MemoryLimit::of_machine);
         self.max_memory.as_ref().unwrap_or_else(of_machine).clone()
     }
 
-    /// How colours and depths are stored, in words.
+    /// The formats of colours and depths, in words.
     pub(super) fn formats(&self) -> String {
         format!("{:?} {:?}", self.color, self.depth)
     }
@@ -197,9 +197,9 @@ impl Setup {
     }
 }
 
-/// What the scene's near and far plane lose, if they waste most of what a depth buffer holds.
+/// A note about the scene's near and far plane, if they waste most of a depth buffer's resolution.
 fn waste(scene: &Scene) -> Option<String> {
-    /// Planes that lose less are as good as any that a person writes down.
+    /// Planes that lose less than this are as good as any that a person writes down.
     const WORTH_SAYING: f64 = 16.0;
     let bounds = scene.bounds()?;
     let (given, fitted) = (scene.camera, scene.camera.close_around(bounds));
@@ -218,7 +218,7 @@ fn waste(scene: &Scene) -> Option<String> {
     })
 }
 
-/// A length in three digits.
+/// A length, with three digits.
 fn digits(length: f64) -> String {
     let places = (2 - length.abs().log10().floor() as i32).clamp(0, 12) as usize;
     format!("{length:.places$}")
@@ -241,7 +241,7 @@ impl Planes {
     }
 }
 
-/// As many notes of a scene are shown; the last of thousands would hide what comes after.
+/// The number of notes about a scene that are shown. Thousands would hide what comes after them.
 const MOST_NOTES: usize = 40;
 
 fn size(text: &str) -> Result<[u32; 2], Error> {

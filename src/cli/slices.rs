@@ -1,4 +1,4 @@
-//! The argument that says as how many slices volumes are drawn.
+//! The argument for the number of slices as which volumes are drawn.
 
 use std::fmt;
 
@@ -8,8 +8,8 @@ use onionskin::{Error, Method, Renderer, Result, Scene};
 
 #[derive(Args)]
 pub(super) struct Slices {
-    /// Draw volumes as N slices across the view, by methods that know surfaces only; of these hybrid-layer-peeling does
-    /// so unasked, with 256
+    /// Draw volumes as N slices across the view, for methods that know only surfaces; hybrid-layer-peeling does so by
+    /// default, with 256
     #[arg(long, value_name = "N", value_parser = count, help_heading = "Options of methods for surfaces")]
     slices: Option<u32>,
 }
@@ -19,10 +19,10 @@ impl Slices {
         self.slices.is_some()
     }
 
-    /// Whether there is anything to be sliced.
+    /// Checks that there is a volume to be sliced.
     ///
     /// # Errors
-    /// It is given, and there are no volumes.
+    /// If the argument is given, and there are no volumes.
     pub(super) fn check_scene(&self, scene: &Scene) -> Result<()> {
         if self.is_given() && scene.volumes.is_empty() {
             return Err(Error::usage(
@@ -33,7 +33,7 @@ impl Slices {
         Ok(())
     }
 
-    /// A renderer that draws volumes so.
+    /// The renderer, set to draw volumes as so many slices.
     pub(super) fn told<'c>(&self, renderer: Renderer<'c>) -> Result<Renderer<'c>> {
         match self.slices {
             Some(count) => renderer.with_slices(count),
@@ -41,10 +41,10 @@ impl Slices {
         }
     }
 
-    /// Whether it means anything to the method.
+    /// Checks that the method draws slices.
     ///
     /// # Errors
-    /// It is given, and the method draws no slices.
+    /// If the argument is given, and the method draws no slices.
     pub(super) fn check(&self, method: &Method) -> Result<()> {
         if !self.is_given() || method.entry().volumes.take_slices() {
             return Ok(());

@@ -1,12 +1,12 @@
-//! What was probably meant by a word or a path.
+//! Guessing the word or the path that was probably meant.
 
 use std::path::{Path, PathBuf};
 
-/// The longest word that is looked at. A longer one has nothing to do with ours, and would take long.
+/// The longest word that is compared. A longer one cannot be a misspelt known word, and would take long.
 const LONGEST: usize = 64;
 
-/// The known word that takes the fewest changed, added, left out or swapped letters, whatever their case; `None` if it
-/// takes more than a third of the letters, because then it is another word.
+/// The known word that is reached by the fewest changed, added, left out or swapped letters, in any case. `None` if
+/// that takes more than a third of the letters, because then it is another word.
 pub fn nearest<'a>(word: &str, known: &[&'a str]) -> Option<&'a str> {
     if word.len() > LONGEST {
         return None;
@@ -18,7 +18,7 @@ pub fn nearest<'a>(word: &str, known: &[&'a str]) -> Option<&'a str> {
     (changes <= other.len().div_ceil(3)).then_some(other)
 }
 
-/// What to do about an unknown word: the known one that was probably meant, if there is one, and all of them.
+/// The remedy for an unknown word: the known word that was probably meant, if there is one, and all known words.
 pub fn did_you_mean(word: &str, known: &[&str]) -> String {
     let all = known.join(", ");
     match nearest(word, known) {
@@ -27,8 +27,8 @@ pub fn did_you_mean(word: &str, known: &[&str]) -> String {
     }
 }
 
-/// What to do about a path that leads nowhere, if it does with its backslashes turned: on Windows `\\` stands between
-/// folders, elsewhere it is a letter of a name.
+/// The remedy for a path that does not exist but does with its backslashes turned into slashes. On Windows `\\`
+/// separates folders; elsewhere it is a letter of a name.
 pub fn with_slashes(path: &Path) -> Option<String> {
     let meant = PathBuf::from(path.to_str()?.replace('\\', "/"));
     let is_meant = meant != path && meant.exists() && !path.exists();

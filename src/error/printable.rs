@@ -1,23 +1,24 @@
-//! Other people's text, made fit for a terminal.
+//! Making other people's text fit for a terminal.
 //!
-//! File names, names of meshes and words of files may hold anything: sequences that colour, move or clear a terminal, marks
-//! that turn the direction of writing, line ends that make a message look like two. Shown raw, they would do so.
+//! File names, names of meshes and words of files may hold anything: sequences that colour, move or clear a terminal,
+//! marks that turn the direction of writing, line ends that make a message look like two. If they were printed raw,
+//! they would have these effects.
 
 use std::borrow::Cow;
 use std::fmt::Write;
 
-/// The text with every character escaped, as in `\u{1b}`, that does something to a terminal or cannot be seen: control
-/// characters, line ends among them, marks of the direction of writing, and what has no width.
+/// The text with every character escaped, as in `\u{1b}`, that affects a terminal or is invisible: control characters
+/// including line ends, marks of the direction of writing, and characters without width.
 pub fn printable(text: &str) -> Cow<'_, str> {
     escaped(text, is_harmless)
 }
 
-/// The same for text of ours with other people's words in it: our line ends and tabs stay.
+/// The same for text of our own that contains other people's words. Line ends and tabs stay.
 pub fn printable_lines(text: &str) -> Cow<'_, str> {
     escaped(text, |c| matches!(c, '\n' | '\t') || is_harmless(c))
 }
 
-/// The same for JSON, which stays the same JSON: what it leaves unescaped stands in strings.
+/// The same for JSON. The result is the same JSON, because such characters only occur in its strings.
 pub fn printable_json(json: &str) -> Cow<'_, str> {
     if json.chars().all(is_harmless) {
         return Cow::Borrowed(json);
@@ -54,7 +55,7 @@ fn escaped(text: &str, is_left: impl Fn(char) -> bool) -> Cow<'_, str> {
     Cow::Owned(shown)
 }
 
-/// Whether a character stands for itself and for nothing else. `is_control` has C0, DEL and C1.
+/// Whether a character is visible and has no other effect. `is_control` covers C0, DEL and C1.
 fn is_harmless(c: char) -> bool {
     !c.is_control()
         && !matches!(

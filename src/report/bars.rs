@@ -8,17 +8,17 @@ use super::canvas::{FAMILY, in_pixels, register_the_font};
 
 use crate::error::{Error, Result};
 
-/// Bars that stand together.
+/// A group of bars.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BarGroup {
-    /// What is written under them.
+    /// The text under the group.
     pub name: String,
-    /// Their heights, at least 0, in the chart's order of names.
+    /// The heights of the bars, at least 0, in the chart's order of names.
     pub heights: Vec<f64>,
 }
 
 const SIZE: (u32, u32) = (1280, 560);
-/// Three hues of four shades: a manager each, and static, ppAO, ppDP, both.
+/// Three hues of four shades. A hue stands for a manager, and its shades for static, ppAO, ppDP, both.
 const COLORS: [RGBColor; 12] = [
     RGBColor(0xC6, 0xDB, 0xEF),
     RGBColor(0x6B, 0xAE, 0xD6),
@@ -34,11 +34,11 @@ const COLORS: [RGBColor; 12] = [
     RGBColor(0x00, 0x44, 0x1B),
 ];
 
-/// The chart as an SVG, and in pixels. A line marks the height 1, which ratios are relative to; `of_what` names the
+/// The chart as an SVG, and in pixels. A line marks the height 1, to which ratios are relative. `of_what` names the
 /// vertical axis. There are at most twelve names.
 ///
 /// # Errors
-/// What the plotting library cannot do.
+/// If the plotting library fails.
 pub fn bars(
     caption: &str,
     of_what: &str,
@@ -70,7 +70,7 @@ impl Chart<'_> {
     fn draw<B: DrawingBackend>(&self, area: DrawingArea<B, Shift>) -> Result<()> {
         let heights = self.groups.iter().flat_map(|group| &group.heights);
         let top = heights.copied().fold(1.0, f64::max) * 1.1;
-        // A bar's width of space on either side of a group.
+        // On either side of a group there is space as wide as a bar.
         let width = 1.0 / (self.names.len() + 2) as f64;
         let end = self.groups.len().max(1) as f64;
         let plot = || {
@@ -149,7 +149,7 @@ mod tests {
             of_it.count() as f64
         };
         let ratio = pixels(COLORS[1]) / pixels(COLORS[0]);
-        // A row of pixels more or less, of more than a hundred.
+        // A bar of more than a hundred pixels may be a pixel higher or lower.
         assert!((ratio - 2.0).abs() < 0.03, "{ratio}");
     }
 }

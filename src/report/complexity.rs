@@ -6,8 +6,8 @@ use crate::fragment::Rgba;
 use crate::image::Image;
 use crate::methods::Complexity;
 
-/// The depth complexity image, rescaled and inverted as in figure 1 of Lindholm et al. 2015: white has no fragment, black
-/// the most of all.
+/// The depth complexity image, rescaled and inverted as in figure 1 of Lindholm et al. 2015. A white pixel has no
+/// fragment, a black one the most.
 pub fn picture(complexity: &Complexity) -> Image {
     let max = complexity.max().max(1) as f32;
     let pixel = |&count: &u32| {
@@ -21,14 +21,14 @@ pub fn picture(complexity: &Complexity) -> Image {
     }
 }
 
-/// The histogram with bins of `bin` complexities as CSV: a line of names, then a line for each bin, empty ones too.
-/// `part` is of all pixels, 0 to 1.
+/// The histogram with bins of `bin` complexities, as CSV: a line of names, then a line for each bin, including empty
+/// ones. `part` is the bin's part of all pixels, 0 to 1.
 pub fn csv(complexity: &Complexity, bin: u32) -> String {
     let pixels = complexity.counts.len().max(1) as f64;
     let mut text = String::from("from,to,pixels,part\n");
     for bin in complexity.histogram(bin) {
         let part = bin.pixels as f64 / pixels;
-        // A String takes everything.
+        // Writing to a string cannot fail.
         let _ = writeln!(text, "{},{},{},{part:.6}", bin.from, bin.to, bin.pixels);
     }
     text

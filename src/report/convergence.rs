@@ -1,4 +1,4 @@
-//! Errors that fall as something is refined, and what the refinement costs: lines between logarithmic axes.
+//! A plot of errors that fall with a refinement, and of the refinement's costs: lines between logarithmic axes.
 
 use plotters::coord::Shift;
 use plotters::prelude::*;
@@ -8,12 +8,12 @@ use super::canvas::{FAMILY, in_pixels, register_the_font};
 
 use crate::error::{Error, Result};
 
-/// What a vertical axis measures.
+/// A vertical axis and its curves.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Curves {
-    /// What is written beside the axis.
+    /// The text beside the axis.
     pub of_what: String,
-    /// Names, and values greater than 0 for the refinements in their order. A curve may end early.
+    /// The curves: each has a name, and a value greater than 0 for each refinement in order. A curve may end early.
     pub curves: Vec<(String, Vec<f64>)>,
 }
 
@@ -25,11 +25,11 @@ const LEFT: [RGBColor; 3] = [
 ];
 const RIGHT: [RGBColor; 2] = [RGBColor(0xD9, 0x48, 0x01), RGBColor(0x8C, 0x6D, 0x31)];
 
-/// The plot as an SVG, and in pixels: `refined` is what the horizontal axis counts and its values, at least two, each
-/// greater than the one before; up to three curves go by the left axis, up to two by the right one.
+/// The plot as an SVG, and in pixels. `refined` has the horizontal axis's name and its values: at least two, each
+/// greater than the one before. The left axis has up to three curves, the right one up to two.
 ///
 /// # Errors
-/// What the plotting library cannot do.
+/// If the plotting library fails.
 pub fn convergence(
     caption: &str,
     refined: (&str, &[f64]),
@@ -141,7 +141,7 @@ impl Chart<'_> {
 }
 
 impl Curves {
-    /// Whole powers of ten around all values.
+    /// The powers of ten around all values.
     fn range(&self) -> std::ops::Range<f64> {
         let values = || self.curves.iter().flat_map(|(_, values)| values).copied();
         let power = |value: f64| value.max(1e-12).log10();
@@ -170,7 +170,7 @@ mod tests {
         let Plot::Svg(text) = svg else {
             panic!("not an SVG")
         };
-        // And one of each in the legend.
+        // The legend has one more mark of each curve.
         assert_eq!(text.matches("<circle").count(), 3 + 1, "{text}");
         assert_eq!(text.matches("<polygon").count(), 2 + 1, "{text}");
         for label in ["slices", "error", "cost", "16", "32", "64"] {

@@ -1,4 +1,4 @@
-//! The depth complexity histogram as a plot, pixels on a logarithmic axis (Lindholm et al. 2015, figure 1e).
+//! The depth complexity histogram as a plot, with pixels on a logarithmic axis (Lindholm et al. 2015, figure 1e).
 
 use std::path::Path;
 
@@ -11,7 +11,7 @@ use crate::error::{Error, Result};
 use crate::image::Image;
 use crate::methods::{Bin, Complexity};
 
-/// A kind of plot file, by its ending.
+/// A kind of plot file, as the ending of its name says.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PlotKind {
     /// `.svg`: lines and text.
@@ -21,10 +21,10 @@ pub enum PlotKind {
 }
 
 impl PlotKind {
-    /// The kind that a file's name says.
+    /// The kind of a file, by its name.
     ///
     /// # Errors
-    /// If it says none.
+    /// If the name has neither ending.
     pub fn of(path: &Path) -> Result<Self> {
         let ending = path.extension().and_then(|ending| ending.to_str());
         match ending.map(str::to_ascii_lowercase).as_deref() {
@@ -50,11 +50,11 @@ pub enum Plot {
 const SIZE: (u32, u32) = (900, 560);
 const BAR: RGBColor = RGBColor(0x2B, 0x5C, 0x8A);
 
-/// Plots the histogram with bins of `bin` complexities. Pixels without a fragment are left out; the caption says how many
-/// there are.
+/// Plots the histogram with bins of `bin` complexities. Pixels without a fragment are left out, and the caption says
+/// how many they are.
 ///
 /// # Errors
-/// What the plotting library cannot do.
+/// If the plotting library fails.
 pub fn plot(name: &str, complexity: &Complexity, bin: u32, kind: PlotKind) -> Result<Plot> {
     register_the_font();
     let caption = format!(
@@ -87,10 +87,10 @@ pub fn plot(name: &str, complexity: &Complexity, bin: u32, kind: PlotKind) -> Re
 }
 
 impl Plot {
-    /// Writes it; the file appears only when it is whole.
+    /// Writes the plot. The file appears only when it is whole.
     ///
     /// # Errors
-    /// If it cannot be written.
+    /// If the file cannot be written.
     pub fn save(&self, path: &Path) -> Result<()> {
         match self {
             Self::Png(image) => image.save(path),
@@ -99,7 +99,7 @@ impl Plot {
     }
 }
 
-/// The bins, pixels without a fragment taken out of the first.
+/// The bins. Pixels without a fragment are taken out of the first.
 fn covered_bins(complexity: &Complexity, bin: u32) -> Vec<Bin> {
     let mut bins = complexity.histogram(bin);
     let empty = complexity.counts.len() as u64 - complexity.covered();
@@ -118,7 +118,7 @@ fn draw<B: DrawingBackend>(
     };
     let most = bins.iter().map(|bin| bin.pixels).max().unwrap_or(1).max(1);
     let right = bins.last().map_or(1, |bin| bin.to + 1);
-    // A bar of one pixel has to be seen, so the axis begins below 1.
+    // A bar of one pixel must be visible, so the axis begins below 1.
     let rows = (0.5..most as f64 * 1.5).log_scale();
     let plot = || {
         area.fill(&WHITE)?;
@@ -141,7 +141,7 @@ fn draw<B: DrawingBackend>(
             .y_label_formatter(&|y| format!("{y:.0}"))
             .draw()?;
         let bars = bins.iter().filter(|bin| bin.pixels > 0).map(|bin| {
-            // A gap between bars, of a tenth of their width on either side.
+            // On either side of a bar there is a gap of a tenth of its width.
             let width = f64::from(bin.to - bin.from + 1);
             let left = f64::from(bin.from) + 0.1 * width;
             let corners = [(left, 0.5), (left + 0.8 * width, bin.pixels as f64)];

@@ -1,4 +1,4 @@
-//! What goes onto paper: pictures, plots, tables.
+//! Reports: pictures, plots and tables of what was counted.
 
 mod bars;
 mod canvas;
@@ -15,10 +15,10 @@ pub use series::{BINS, Moment, save_series_csv, series, series_csv};
 
 use std::path::Path;
 
-/// Writes a text; the file appears only when it is whole.
+/// Writes a text. The file appears only when it is whole.
 ///
 /// # Errors
-/// If it cannot be written.
+/// If the file cannot be written.
 pub fn save_text(path: &Path, text: &str) -> crate::error::Result<()> {
     crate::image::write_whole(path, text.as_bytes())
 }

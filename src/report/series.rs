@@ -1,4 +1,4 @@
-//! Figure 2 of Lindholm et al. 2015: depth complexity histograms along a camera path, and lines of what the frames cost.
+//! Figure 2 of Lindholm et al. 2015: depth complexity histograms along a camera path, and lines of the frames' costs.
 
 use std::path::Path;
 
@@ -10,22 +10,22 @@ use super::{Plot, save_text};
 use crate::error::{Error, Result};
 use crate::methods::Complexity;
 
-/// One of the frames that a series shows.
+/// A frame of a series.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Moment {
-    /// Its number, which is its place along the axis.
+    /// The frame's number, which is its place along the axis.
     pub frame: u32,
-    /// The parts of all pixels whose complexity falls into each of the [`BINS`], 0 to 1.
+    /// For each of the [`BINS`], the part of all pixels whose complexity falls into it, 0 to 1.
     pub parts: [f64; BINS.len()],
-    /// What the lines show, in the series' order of names.
+    /// The values of the lines, in the series' order of names.
     pub values: Vec<f64>,
 }
 
-/// The bins' highest complexities: each reaches from the one before it, the first from 1.
+/// The highest complexity of each bin. A bin begins after the one before it, the first at 1.
 pub const BINS: [u32; 5] = [4, 8, 16, 32, u32::MAX];
 
 const SIZE: (u32, u32) = (1100, 560);
-/// From light to dark, as the layers add up.
+/// The bins' colours, darker for more layers.
 const BARS: [RGBColor; BINS.len()] = [
     RGBColor(0xD6, 0xE4, 0xF0),
     RGBColor(0xA6, 0xC5, 0xE0),
@@ -40,7 +40,7 @@ const LINES: [RGBColor; 3] = [
 ];
 
 impl Moment {
-    /// Of a frame's complexity.
+    /// The moment of a frame with this complexity.
     pub fn new(frame: u32, complexity: &Complexity, values: Vec<f64>) -> Self {
         let all = complexity.counts.len().max(1) as f64;
         let mut low = 1;
@@ -60,10 +60,10 @@ impl Moment {
     }
 }
 
-/// The series as an SVG, and in pixels: stacked bars on the left axis, up to three lines on the right one.
+/// The series as an SVG, and in pixels, with stacked bars on the left axis and up to three lines on the right one.
 ///
 /// # Errors
-/// What the plotting library cannot do.
+/// If the plotting library fails.
 pub fn series(caption: &str, names: &[&str], moments: &[Moment]) -> Result<[Plot; 2]> {
     register_the_font();
     let mut text = String::new();
@@ -79,7 +79,7 @@ pub fn series(caption: &str, names: &[&str], moments: &[Moment]) -> Result<[Plot
     Ok([Plot::Svg(text), Plot::Png(in_pixels(SIZE, &bytes))])
 }
 
-/// Its numbers as CSV: a line of names, then a line for each moment.
+/// The series' numbers as CSV: a line of names, then a line for each moment.
 pub fn series_csv(names: &[&str], moments: &[Moment]) -> String {
     let mut text = format!(
         "frame,up_to_4,up_to_8,up_to_16,up_to_32,more,{}\n",
@@ -104,7 +104,7 @@ pub fn series_csv(names: &[&str], moments: &[Moment]) -> String {
 /// Writes the numbers.
 ///
 /// # Errors
-/// If they cannot be written.
+/// If the file cannot be written.
 pub fn save_series_csv(path: &Path, names: &[&str], moments: &[Moment]) -> Result<()> {
     save_text(path, &series_csv(names, moments))
 }
@@ -127,7 +127,7 @@ fn draw<B: DrawingBackend>(
     let covered = moments
         .iter()
         .map(|moment| moment.parts.iter().sum::<f64>());
-    // The upper two fifths are the legend's.
+    // The upper two fifths are for the legend.
     let left = (covered.fold(0.0, f64::max) * 165.0).max(1e-9);
     let plot = || {
         area.fill(&WHITE)?;
@@ -148,7 +148,7 @@ fn draw<B: DrawingBackend>(
             .axis_desc_style((FAMILY, 20))
             .label_style((FAMILY, 18))
             .x_label_formatter(&|x| format!("{x:.0}"))
-            // Above 100 there is only the legend.
+            // Above 100 there is nothing but the legend.
             .y_label_formatter(&|&y| {
                 if y > 100.0 {
                     String::new()
