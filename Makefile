@@ -6,7 +6,7 @@ DEMO_SCENE  := examples/scenes/molecule.toml
 DEMO_METHOD := depth-peeling
 DEMO_IMAGE  := out/molecule.png
 
-# The tests that open an OpenGL context; they run once for each backend.
+# The tests that open an OpenGL context. They run once for each backend.
 GL_TESTS := $(notdir $(patsubst %/,%,$(dir $(sort $(wildcard tests/gl*/main.rs)))))
 EXAMPLES := $(basename $(notdir $(sort $(wildcard examples/*.rs))))
 

@@ -1,5 +1,5 @@
-//! What A-buffers cost, as ratios of medians from one run at 1024 x 768: against plain blending into 32-bit float,
-//! against depth peeling, and ppAO and ppDP against the static array, beside what the paper's GPUs gained (section 7).
+//! The costs of A-buffers, as ratios of medians from one run at 1024 x 768: to plain blending into 32-bit float, to
+//! depth peeling, and of ppAO and ppDP to the static array, beside the gains of the paper's GPUs (section 7).
 //!
 //! `cargo bench --bench a_buffer [SCENE.toml ...]`; without scenes, figure 7's 64 quads, a generated mesh and the molecule.
 
@@ -9,10 +9,11 @@ use onionskin::scene::generate::{TorusKnot, torus_knot};
 use onionskin::{Context, Method, Renderer, Result, Scene};
 
 const SIZE: [u32; 2] = [1024, 768];
-/// Or as many as begin within two seconds.
+/// The number of frames, or fewer if they do not begin within two seconds.
 const FRAMES: usize = 41;
 
-/// How many times faster than the static array the paper's ppAO and ppDP are: on the 64 quads, where ppAO "approaches" it,
+/// How many times faster than the static array ppAO and ppDP are in the paper: on the 64 quads, where ppAO "approaches"
+/// it,
 const QUADS_GAIN: [f64; 2] = [1.0, 3.6];
 /// and on average over its scenes and GPUs.
 const MEAN_GAIN: [f64; 2] = [3.0, 8.0];
@@ -86,7 +87,7 @@ fn table(
         complexity.max(),
         complexity.percentile(0.5)
     );
-    // Plain blending is measured again before each method, for what else runs on the machine changes meanwhile.
+    // Plain blending is measured again before each method, because the load of the machine may change meanwhile.
     let mut ratio = |method: &Method| -> Result<f64> {
         let blend = renderer.measure(scene, &Method::Blend, FRAMES)?.stats.ms;
         Ok(renderer.measure(scene, method, FRAMES)?.stats.ms / blend)

@@ -1,6 +1,6 @@
 //! Depth peeling against VTK's own single peeling (`peel`), both without a limit, on the same scenes and the same
-//! renderer: the ratio of the medians of frames taken in turns, with layers of 32-bit floats, as they are here, and of
-//! 8 bits a channel, as they are in VTK. Says 'skipped' where VTK or its script is absent.
+//! renderer. The ratio is that of the medians of frames taken in turns. Layers have 32-bit floats, as here by default,
+//! or 8 bits per channel, as in VTK. Prints 'skipped' if VTK or its script is missing.
 //!
 //! `cargo bench --bench against_vtk [SCENE.toml]`; the bundled molecule and the bunny if no scene is named.
 
@@ -52,7 +52,7 @@ fn main() -> Result<()> {
     Ok(())
 }
 
-/// In milliseconds, ours for each of [`FORMATS`].
+/// Medians in milliseconds, ours for each of [`FORMATS`].
 struct Medians {
     ours: Vec<f64>,
     vtk: f64,
@@ -61,7 +61,7 @@ struct Medians {
 
 fn compare(context: &Context, script: &Path, path: &PathBuf) -> Result<Option<Medians>> {
     let mut scene = Scene::load(path)?;
-    // The script renders without lights whatever the scene file says.
+    // The script renders without lights, even if the scene file has them.
     for mesh in &mut scene.meshes {
         mesh.shading = Shading::None;
     }
@@ -93,7 +93,7 @@ fn median(mut times: Vec<f64>) -> f64 {
     times[times.len() / 2]
 }
 
-/// VTK's own median of as many frames.
+/// VTK's median of as many frames.
 fn vtk_ms(script: &Path, scene: &Path) -> Option<f64> {
     let output = Command::new("python3")
         .arg(script)

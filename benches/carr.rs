@@ -1,12 +1,12 @@
-//! What Carr et al. (2008) measured, on this renderer: ratios of medians, all from one run, beside the paper's.
+//! The measurements of Carr et al. (2008) on this renderer: ratios of medians, all from one run, beside the paper's.
 //!
-//! `cargo bench --bench carr`. The Stanford bunny takes part where `ONIONSKIN_BUNNY` names its scene file.
+//! `cargo bench --bench carr`. The Stanford bunny takes part if `ONIONSKIN_BUNNY` names its scene file.
 
 use onionskin::methods::{CoherentOptions, IdealOptions, Sorting, Stats, Variant};
 use onionskin::scene::generate::{Order, Slices, slices};
 use onionskin::{Context, Method, Renderer, Result, Scene};
 
-/// Frames a median is of, as far as they begin within the renderer's patience.
+/// The number of frames of a median, or fewer if they take too long.
 const FRAMES: usize = 5;
 
 fn main() -> Result<()> {
@@ -77,7 +77,7 @@ fn real_meshes() -> Result<Vec<(String, Scene)>> {
     Ok(scenes)
 }
 
-/// Table 1 in kind, and what sorting and the improvements buy.
+/// Table 1 in kind, and the gains of sorting and of the improvements.
 fn meshes(context: &Context, name: &str, scene: &Scene) -> Result<()> {
     let triangles: usize = scene.meshes.iter().map(|mesh| mesh.triangles.len()).sum();
     println!(

@@ -1,5 +1,5 @@
 //! Dual depth peeling, and peeling that keeps coplanar fragments, against single peeling: ratios of medians, all from
-//! one run, round by round in turn so that a busy machine is busy for each of them.
+//! one run. The methods take turns in each round, so that a busy machine is busy for each of them.
 //!
 //! `cargo bench --bench dual_peeling [SCENE.toml ...]`; the bundled scenes if none is named.
 

@@ -1,6 +1,7 @@
-//! Figure 6 of Lindholm et al. 2015 in kind: three memory managers, each with the static Local Array, ppAO, ppDP and both,
-//! on four scenes after the paper's. Times relative to the same manager's static array, medians from one run; no figure of
-//! the paper's GPUs is to be compared with them. As in the paper linked lists take their nodes from a pool, with atomics.
+//! Figure 6 of Lindholm et al. 2015 in kind: three memory managers, each with the static Local Array, ppAO, ppDP and
+//! both, on four scenes after the paper's. Times are medians from one run, relative to the same manager's static array.
+//! They cannot be compared with the figures of the paper's GPUs. As in the paper, linked lists take their nodes from a
+//! pool, with atomics.
 //!
 //! `cargo bench --bench fused [WIDTH HEIGHT]`, 320 x 240 if no size is named, writes `out/figure-6.svg` and `.png`.
 

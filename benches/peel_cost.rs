@@ -1,4 +1,4 @@
-//! What a peel costs, in terms of what it is made of: ratios of medians, all from one run.
+//! The cost of a peel and of its parts: ratios of medians, all from one run.
 //!
 //! `cargo bench --bench peel_cost [SCENE.toml]`; the bundled molecule if no scene is named.
 

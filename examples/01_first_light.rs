@@ -1,7 +1,7 @@
 //! A headless context and one triangle.
 //!
-//! No window, no display, no GPU: the context comes from EGL's surfaceless platform or from OSMesa. The triangle's
-//! three corners are red, green and blue, half transparent, over white.
+//! It needs no window, no display and no GPU: the context comes from EGL's surfaceless platform or from OSMesa. The
+//! triangle's three corners are red, green and blue. It is half transparent, over white.
 //!
 //! `cargo run --example 01_first_light [FOLDER]`
 

@@ -1,9 +1,10 @@
 //! Why order matters (Everitt 2001, figure 1).
 //!
-//! Three interlocked knots, blended in the order in which they are submitted, and peeled. No order of whole knots is
-//! right, because each lies partly before and partly behind the others.
+//! Three interlocked knots are blended in their order of submission, and peeled. No order of whole knots is right,
+//! because each knot lies partly before and partly behind the others.
 //!
-//! Writes one picture: left, peeled; middle, blended; right, their difference times four.
+//! Writes one picture: the peeled image on the left, the blended one in the middle, and their difference times four on
+//! the right.
 //!
 //! `cargo run --example 02_why_order_matters [FOLDER]`
 

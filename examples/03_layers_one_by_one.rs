@@ -1,10 +1,10 @@
 //! The layers one by one (Everitt 2001, figure 3).
 //!
 //! A teapot over a plane: outside red, inside green, the plane blue. Layer 0 is the nearest surface at each pixel,
-//! layer 1 the second nearest, and so on. Samples get fewer from layer to layer, and layer 2 is mostly plane in the
-//! shape of a teapot.
+//! layer 1 the second nearest, and so on. Each layer has fewer samples than the one before, and layer 2 is mostly
+//! plane, in the shape of a teapot.
 //!
-//! Writes one picture: layers 0 and 1 above, 2 and 3 below, each surface opaque, so that it can be seen.
+//! Writes one picture: layers 0 and 1 above, layers 2 and 3 below. Surfaces are drawn opaque, so that they can be seen.
 //!
 //! `cargo run --example 03_layers_one_by_one [FOLDER]`
 
@@ -45,7 +45,7 @@ fn main() -> onionskin::Result<()> {
     Ok(())
 }
 
-/// A layer as an opaque picture over white. It is where its depth lies before the far plane.
+/// A layer as an opaque picture over white. The layer is where its depth lies before the far plane.
 fn opaque(layer: &Layer) -> Image {
     let texels = layer.color.pixels.iter().zip(&layer.depth);
     let pixels = texels.map(|(&color, &depth)| {

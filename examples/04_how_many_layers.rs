@@ -1,9 +1,9 @@
 //! How many layers are enough (Everitt 2001, the second figure 5)?
 //!
 //! The teapot over a plane after one, two, three and four peels, with the error of each against the exact image.
-//! Everitt finds three "good enough".
+//! Everitt finds three layers "good enough".
 //!
-//! Writes one picture: one and two layers above, three and four below.
+//! Writes one picture: one and two layers above, three and four layers below.
 //!
 //! `cargo run --example 04_how_many_layers [FOLDER]`
 

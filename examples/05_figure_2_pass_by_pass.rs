@@ -1,11 +1,11 @@
-//! Figure 2 of Carr et al. (2008), pass by pass: eleven surfaces at one pixel, submitted as s0 to s10, of which everything
-//! up to s4 has been peeled.
+//! Figure 2 of Carr et al. (2008), pass by pass: eleven surfaces at one pixel, submitted as s0 to s10. Everything up to
+//! s4 has been peeled.
 //!
-//! The emulated pixel says what becomes of each surface; OpenGL runs the same steps beside it, and what both leave in
-//! stencil and depth buffer is printed under each table. One sentence of the paper's trace is wrong: see pass 3.
+//! The emulated pixel says what happens to each surface. OpenGL runs the same steps beside it. The stencil value and
+//! the depth that both leave are printed under each table. One sentence of the paper's trace is wrong: see pass 3.
 //!
-//! Writes one picture: a row a pass, a column a surface; grey clipped, red stopped by the stencil test, orange by the depth
-//! test, green passed.
+//! Writes one picture with a row per pass and a column per surface. Grey surfaces are clipped, red ones fail the
+//! stencil test, orange ones the depth test, and green ones pass.
 //!
 //! `cargo run --example 05_figure_2_pass_by_pass [FOLDER]`
 
@@ -24,7 +24,7 @@ use onionskin::{Context, Image, Result, Scene, steps};
 #[path = "common/example.rs"]
 mod example;
 
-/// An order of depth that fits everything the paper says of its figure; there are 18.
+/// One of 18 orders of depth that fit everything the paper says about its figure.
 const FRONT_TO_BACK: [usize; 11] = [0, 4, 3, 5, 6, 10, 9, 7, 2, 1, 8];
 
 const PASSES: [(&str, Listing); 6] = [
@@ -149,7 +149,7 @@ fn maps(workspace: &mut impl Workspace) -> Result<()> {
     allocate_maps(workspace, &coherent::RESOURCES_A, color, depth)
 }
 
-/// Nothing opaque, and everything up to s4 peeled.
+/// There is nothing opaque, and everything up to s4 is peeled.
 fn begin(machine: &mut impl Workspace, s4: f32) -> Result<()> {
     run(&stage::OPAQUE_FIRST, &[], Variables::new(), machine)?;
     begin_batch(machine, s4, 1.0)
@@ -163,7 +163,7 @@ fn surfaces(gl: &mut GlMachine<'_>) -> Result<Vec<Surface>> {
         fragment: Fragment {
             depth: fragment.depth,
             color: fragment.color,
-            // A quad is two triangles, of which one covers the pixel's centre.
+            // A quad is two triangles. One of them covers the pixel's centre.
             order: fragment.order / 2,
         },
         kind: Kind::Unsorted,

@@ -1,8 +1,8 @@
-//! Slices through a volume with a cone in it (Carr et al. 2008, figures 1 and 3): how the number of iterations grows with
-//! the number of slices.
+//! Slices through a volume with a cone in it (Carr et al. 2008, figures 1 and 3): the growth of the number of
+//! iterations with the number of slices.
 //!
-//! Layer peeling takes one per layer. Hybrid layer peeling peels the cone alone, and coherent layer peeling takes whole
-//! runs of slices: both stay where they are.
+//! Layer peeling takes one iteration per layer. Hybrid layer peeling peels only the cone, and coherent layer peeling
+//! takes whole runs of slices, so their numbers do not grow.
 //!
 //! Writes one picture: the scene with 64 slices.
 //!

@@ -1,6 +1,7 @@
-//! What the order of submission does to coherent layer peeling: to its image nothing, to its iterations a lot.
+//! The order of submission and coherent layer peeling: the image does not depend on it, the number of iterations does.
 //!
-//! The molecule's surface and ribbon, triangles sorted front to back, in the files' order, shuffled, and back to front.
+//! The triangles of the molecule's surface and ribbon are sorted front to back, in the files' order, shuffled, and
+//! sorted back to front.
 //!
 //! Writes one picture: the molecule.
 //!

@@ -1,11 +1,12 @@
-//! What the blend factors that Carr et al. (2008) print in section 6 do.
+//! The effect of the blend factors that Carr et al. (2008) print in section 6.
 //!
 //! Variant B moves the depth of the previous nearest surface into the color channels: "by using a blend method that
-//! multiplies the source color by the destination alpha". The printed factors, `(ZERO, DEST_ALPHA, ONE, ZERO)`, multiply the
-//! *destination* color by it, so that the color becomes the product of all earlier depths: right after two surfaces, too
-//! small after three. The run then ends before it begins.
+//! multiplies the source color by the destination alpha". The printed factors, `(ZERO, DEST_ALPHA, ONE, ZERO)`,
+//! multiply the *destination* color by it, so that the color becomes the product of all earlier depths. This is right
+//! after two surfaces, and too small after three. The run then ends before it begins.
 //!
-//! Writes one picture: left, the factors that the sentence describes; middle, the printed ones; right, their difference.
+//! Writes one picture: the factors of the sentence on the left, the printed factors in the middle, and the difference
+//! of the images on the right.
 //!
 //! `cargo run --example 08_printed_blend_factors [FOLDER]`
 
@@ -17,7 +18,7 @@ use onionskin::{Context, Method, Renderer, Scene, steps};
 #[path = "common/example.rs"]
 mod example;
 
-/// Undoes the one word that is amended.
+/// Undoes the one amended word.
 const AS_PRINTED: Amendment = Amendment {
     key: "X16, undone",
     place: "section 6, the blend function",

@@ -1,9 +1,9 @@
 //! The ideal GPU of Carr et al. (2008, section 7): Algorithm 2 on a driver whose shaders read the framebuffer in order.
 //!
 //! As printed, a pixel that is done keeps its `z3`, and composites its last layer again in every further iteration. The
-//! tighter bound that the printed but unused `z2` suggests saves iterations besides.
+//! printed but unused `z2` suggests a tighter bound, which also saves iterations.
 //!
-//! Writes one picture: left, amended; middle, as printed; right, their difference.
+//! Writes one picture: as amended on the left, as printed in the middle, their difference on the right.
 //!
 //! `cargo run --example 09_ideal_gpu [FOLDER]`
 

@@ -1,7 +1,8 @@
 //! How many layers does each pixel have (Lindholm et al. 2015, figure 1)?
 //!
-//! Counts the molecule's fragments by additive blending and by atomic counters, as the paper does, which agree; prints how
-//! steeply the histogram falls. Writes the depth complexity image beside the histogram's plot, and the plot as SVG.
+//! Counts the molecule's fragments by additive blending and, as the paper does, by atomic counters. The counts agree.
+//! Prints how steeply the histogram falls. Writes the depth complexity image beside the histogram's plot, and the plot
+//! as SVG.
 //!
 //! `cargo run --example 10_depth_complexity [FOLDER]`
 

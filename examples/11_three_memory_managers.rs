@@ -1,10 +1,10 @@
 //! What do the three memory managers allocate (Lindholm et al. 2015, figure 4)?
 //!
-//! FFB gives every pixel the room that the deepest one needs, DFB and PPLL each pixel what it needs; DFB pays with a
-//! prefix scan, PPLL with a link for each fragment. The images are the same, bit for bit. With half of FFB's bytes as a
-//! budget FFB renders in bands, and the image is still the same.
+//! FFB gives every pixel the room that the deepest pixel needs. DFB and PPLL give each pixel the room that it needs.
+//! For that, DFB takes a prefix scan, and PPLL a link per fragment. The images are the same, bit for bit. With half of
+//! its bytes as the budget, FFB renders in bands, and the image is still the same.
 //!
-//! Writes the picture that all of them make.
+//! Writes the picture, which is the same for all managers.
 //!
 //! `cargo run --example 11_three_memory_managers [FOLDER]`
 
@@ -30,7 +30,7 @@ fn main() -> onionskin::Result<()> {
     ] {
         let options = ABufferOptions {
             manager,
-            // Without one, bands may be cut for speed.
+            // Without a budget, bands may be cut for speed.
             budget: Some(if in_bands { fixed_bytes / 2 } else { u64::MAX }),
             ..ABufferOptions::default()
         };

@@ -1,10 +1,10 @@
 //! What do ppAO and ppDP save (Lindholm et al. 2015, figures 5 and 7)?
 //!
-//! Two scenes: figure 7's 64 quads, where every pixel is as deep as the array, so that ppAO can save nothing; and the
-//! molecule, where few pixels are deep. Elements of Local Arrays reserved and used (the difference is figure 5's grey), and
-//! what is paid for them in reads of the lists.
+//! There are two scenes. In figure 7's 64 quads, every pixel is as deep as the array, so that ppAO can save nothing. In
+//! the molecule, few pixels are deep. Prints the reserved and the used elements of Local Arrays, whose difference is
+//! figure 5's grey, and the number of records that are read from the lists.
 //!
-//! Writes the 64 quads' picture.
+//! Writes the picture of the 64 quads.
 //!
 //! `cargo run --example 12_sixty_four_quads [FOLDER]`
 

@@ -1,8 +1,8 @@
 //! Shadow mapping is a depth test (Everitt 2001).
 //!
-//! Depth peeling as it ran in 2001: a shadow map that has the camera's own orientation and resolution, its comparison
-//! of r/q into alpha, and the alpha test. With Listing 2, which stores r/q as well, it gives the image that today's
-//! shadow sampler gives; without it, it falls apart.
+//! Depth peeling as it ran in 2001: a shadow map with the camera's own orientation and resolution, whose comparison of
+//! r/q writes alpha, and the alpha test. With Listing 2, which also stores r/q, it gives the same image as today's
+//! shadow sampler. Without Listing 2, the image falls apart.
 //!
 //! Writes one picture. Above: the shadow map of the second peel (nearer is darker), and the layer that passes it. Below:
 //! the image with and without Listing 2.
@@ -59,7 +59,7 @@ fn main() -> onionskin::Result<()> {
     Ok(())
 }
 
-/// The depths of a layer in grey, from its nearest, dark, to its farthest, light; white where there is none.
+/// The depths of a layer in grey, from dark (nearest) to light (farthest). Pixels without a depth are white.
 fn shadow_map(layer: &Layer) -> Image {
     let some = || layer.depth.iter().copied().filter(|&depth| depth < 1.0);
     let nearest = some().fold(1.0, f32::min);

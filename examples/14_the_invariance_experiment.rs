@@ -1,13 +1,13 @@
 //! The invariance experiment (Everitt 2001, "An Invariance Issue").
 //!
-//! Depth peeling compares a depth with one that was stored a pass ago. Here both are made in every way: the
-//! rasteriser's window z or the quotient r/q; compared by the sampler or by the shader; stored in 16, 24 or 32 bits;
-//! and with the fudge factors that renderers use where the two sides do not agree. Then what rounding does to the
-//! colours, in three formats of the image.
+//! Depth peeling compares a depth with one that an earlier pass has stored. Here both depths are made in every way.
+//! They are the rasteriser's window z or the quotient r/q. The sampler or the shader compares them. They are stored in
+//! 16, 24 or 32 bits. Renderers use fudge factors where the two sides do not agree, and these are tried, too. At the
+//! end, the rounding of colours is measured in three formats of the image.
 //!
-//! Writes one picture, where the pixels lie: grey is right, red repeats a layer for ever, orange has some layer twice,
-//! blue lacks one. Above: r/q against window z without a bias, with 1e-7, with 2e-3. Below: window z against itself in
-//! 24 bits, depth replace in 24 bits, and depth replace in 32-bit floats.
+//! Writes one picture of the wrong pixels. A grey pixel is right, a red one repeats a layer for ever, an orange one has
+//! some layer twice, and a blue one lacks a layer. Above: r/q against window z with a bias of 0, 1e-7 and 2e-3. Below:
+//! window z against itself in 24 bits, depth replace in 24 bits, and depth replace in 32-bit floats.
 //!
 //! `cargo run --example 14_the_invariance_experiment [FOLDER]`
 
@@ -25,7 +25,7 @@ mod example;
 const SIZE: [u32; 2] = [192, 144];
 const D32F: Format = Format::Depth32F;
 
-/// What is stored, and what is compared with it.
+/// The stored depths, and the depths that are compared with them.
 const SOURCES: [(&str, DepthSource, DepthSource); 3] = [
     (
         "window z : window z",
@@ -52,7 +52,7 @@ fn main() -> Result<()> {
     picture(&context)
 }
 
-/// Which pixels are wrong, and how many of them are stuck, for each format and far/near.
+/// The wrong pixels, and how many of them are stuck, for each format and each ratio far/near.
 fn stored_and_compared(context: &Context) -> Result<()> {
     let formats = [
         ("D16", Format::Depth16, 16),
@@ -103,7 +103,7 @@ fn place_name(place: Place) -> String {
     }
 }
 
-/// What each margin costs: layers that are there twice, and layers that are not there.
+/// The cost of each bias: doubled layers and missing layers.
 fn fudge_factors(context: &Context) -> Result<()> {
     println!("\nbias, D32F, far/near 1000   fragments missing   doubled   wrong pixels   ended");
     let (scene, exact) = study(context, 1000.0)?;

@@ -1,11 +1,11 @@
 //! Coplanar boxes under every method.
 //!
-//! Boxes that touch: where two meet, each has a face of its own at exactly the same depth. Everitt peels "each unique
-//! depth", so plain depth peeling keeps one of the two; others keep both, in the order of submission. The detector does
-//! not ask a method what it has lost: it renders the boxes as grey glass and counts the panes by the light that comes
-//! through.
+//! The boxes touch. Where two of them meet, each has a face at exactly the same depth. Everitt peels "each unique
+//! depth", so plain depth peeling keeps one of the two faces. Other methods keep both, in the order of submission. The
+//! detector does not ask a method what it has lost. It renders the boxes as grey glass, and counts the panes by the
+//! light that comes through.
 //!
-//! Writes one picture: the exact image, plain depth peeling, and where it lacks fragments.
+//! Writes one picture: the exact image, the image of plain depth peeling, and the places where that lacks fragments.
 //!
 //! `cargo run --example 15_coplanar_boxes [FOLDER]`
 
@@ -66,7 +66,8 @@ fn main() -> onionskin::Result<()> {
     Ok(())
 }
 
-/// White where nothing is, light grey where everything is, the more blue the more is missing.
+/// The picture of missing fragments: white if a pixel has no fragment, light grey if it has all, and the bluer the more
+/// are missing.
 fn where_missing(found: &Shown) -> Image {
     let pairs = found.submitted.iter().zip(&found.shown);
     let color = |(&submitted, &shown): (&u32, &u32)| match submitted.saturating_sub(shown) {
@@ -126,7 +127,7 @@ fn a_box(low: DVec3, high: DVec3, color: Rgba) -> Mesh {
             color,
         }
     };
-    // Left, right, bottom, top, back, front; the same diagonal on opposite faces, so that those that touch are equal.
+    // Left, right, bottom, top, back, front. Opposite faces have the same diagonal, so that faces that touch are equal.
     let faces = [
         [0, 2, 6, 4],
         [1, 3, 7, 5],

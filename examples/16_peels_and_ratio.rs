@@ -1,9 +1,9 @@
 //! VTK's two options on a real mesh: the maximum number of peels, and the occlusion ratio.
 //!
-//! The molecule, peeled from once to as often as it takes, with the error and the time of each; then with occlusion
-//! ratios from 0 up; and dual peeling beside it, which takes two layers a peel.
+//! The molecule is peeled once, twice, and so on until nothing is left; each row has the error and the time. Then it is
+//! peeled with occlusion ratios from 0 up. Dual peeling, which takes two layers per peel, runs beside both.
 //!
-//! Writes one picture: after 1, 4 and 12 peels above; the same with dual peeling below.
+//! Writes one picture: 1, 4 and 12 peels above, and the same with dual peeling below.
 //!
 //! `cargo run --release --example 16_peels_and_ratio [FOLDER]`
 
@@ -20,14 +20,14 @@ fn main() -> Result<()> {
     let context = Context::headless()?;
     let mut renderer = Renderer::new(&context, 256, 192)?;
     let exact = renderer.render(&scene, &Method::Exact)?.image;
-    // Compiles the shaders, so that the first row's time is a peel's.
+    // This compiles the shaders, so that the first row has the time of a peel.
     let all = renderer.render(&scene, &single(0, 0.0))?.stats.iterations;
     renderer.render(&scene, &dual(0, 0.0))?;
 
     println!("         depth-peeling                          dual-depth-peeling");
     println!("peels     rms error  fragments left      ms      rms error  fragments left      ms");
     let mut pictures = [Vec::new(), Vec::new()];
-    // Every number of peels at first, then fewer and fewer of them.
+    // At first every number of peels is tried, then fewer and fewer.
     let some =
         (1..all).filter(|peels| *peels <= 4 || (*peels <= 12 && peels % 2 == 0) || peels % 4 == 0);
     for peels in some.chain([all]) {

@@ -1,11 +1,12 @@
 //! How much light comes through a ball of fog between two panes of glass (Lindholm et al. 2015, section 6)?
 //!
-//! One list a pixel holds the panes' fragments and those of the box around the fog; the ray is cast between them. What
-//! should be in every pixel can be written down: the fog's density falls from σ in the ball's middle to 0 at its
-//! radius R as σ (1 - r²/R²), so that a ray with half a chord of h inside has the optical depth 4σh³ / 3R², and lets
-//! exp(-4σh³ / 3R²) of the light through; a pane lets 1 - α of it.
+//! Each pixel's list holds the fragments of the panes and of the box around the fog. The ray is cast between them. The
+//! right colour of every pixel has a closed form. The fog's density falls from σ in the ball's middle to 0 at its
+//! radius R as σ (1 - r²/R²). So a ray with half a chord of h inside has the optical depth 4σh³ / 3R², and lets
+//! exp(-4σh³ / 3R²) of the light through. A pane lets 1 - α of it through.
 //!
-//! Writes the picture, and prints how far it is from that: the finer the lattice of samples, the less.
+//! Writes the picture, and prints how far it is from the closed form. The finer the lattice of samples, the smaller the
+//! difference.
 //!
 //! `cargo run --example 17_fog_between_panes [FOLDER]`
 
@@ -24,10 +25,10 @@ const RADIUS: f64 = 1.0;
 const SIGMA: f32 = 2.5;
 const FOG: [f32; 3] = [0.95, 0.45, 0.1];
 const BACKGROUND: [f32; 3] = [0.97, 0.97, 0.94];
-/// Width and height of a pane, and how much of the light it takes.
+/// Width and height of a pane, and the part of the light that it takes.
 const PANE: f64 = 1.7;
 const ALPHA: f32 = 0.4;
-/// Each pane's middle and colour, the nearer one first.
+/// Each pane's middle and colour, the nearer pane first.
 const PANES: [(DVec3, [f32; 3]); 2] = [
     (DVec3::new(-0.72, 0.35, 1.2), [0.1, 0.35, 0.85]),
     (DVec3::new(0.72, -0.35, -1.2), [0.05, 0.55, 0.35]),
@@ -86,7 +87,7 @@ fn pane(&(middle, color): &(DVec3, [f32; 3])) -> onionskin::Result<Mesh> {
     }))
 }
 
-/// 1 - r²/R², sampled on a cube around the ball. Outside of the ball that is negative, and has no density.
+/// 1 - r²/R², sampled on a cube around the ball. Outside of the ball the value is negative, and has no density.
 fn ball_of_fog(samples: usize) -> onionskin::Result<Volume> {
     let last = (samples - 1) as f64;
     let place = |i: usize| (2.0 * i as f64 / last - 1.0) * 1.05 * RADIUS;
@@ -106,7 +107,7 @@ fn ball_of_fog(samples: usize) -> onionskin::Result<Volume> {
     Ok(volume.with_transfer(Transfer::new(vec![point(0.0), point(1.0)])?))
 }
 
-/// Pane, fog, pane, background: front to back in f64.
+/// The closed form: pane, fog, pane, background, front to back in f64.
 fn closed_form(scene: &Scene, pixel: [u32; 2]) -> [f64; 3] {
     let ray = Ray::through(&scene.camera, SIZE, pixel);
     let along = ray.direction.normalize();

@@ -1,10 +1,11 @@
 //! Two overlapping volumes and a mesh in one image, by every A-buffer (Lindholm et al. 2015, section 6).
 //!
-//! A vortex inside of a ball of fog, and a glass ring through both. Where the volumes overlap they are sampled together;
-//! the ring's surfaces cut the rays. A pixel's list is short, but ppDP with arrays of 2 still resolves it in several
-//! subpasses, between which it keeps where the ray is and in which volumes.
+//! The scene is a vortex inside of a ball of fog, and a glass ring through both. Where the volumes overlap, they are
+//! sampled together. The ring's surfaces cut the rays. A pixel's list is short, but ppDP with arrays of 2 still
+//! resolves it in several subpasses. Between them it keeps the ray's position and the volumes around it.
 //!
-//! Writes the picture, and prints how far each method is from the f64 caster; colours are kept in 16 bits, as published.
+//! Writes the picture, and prints how far each method is from the f64 caster. Records keep colours in 16 bits, as
+//! published.
 //!
 //! `cargo run --example 18_two_volumes_and_a_mesh [FOLDER]`
 

@@ -1,9 +1,9 @@
 //! The molecule: its surfaces and its electrostatic potential at two resolutions in one image (Lindholm et al. 2015,
 //! figure 1), as the first frame of the scene's camera path has them.
 //!
-//! The fused image by the dynamic fragment buffer with ppAO and ppDP, beside it the same lists without the volumes, and
-//! what `exact` makes of the scene. Prints the depth complexity, boxes of volumes counted as the paper does, and how far the
-//! images are apart; colours are kept in 16 bits, as published.
+//! Shows the fused image by the dynamic fragment buffer with ppAO and ppDP, the same lists without the volumes, and the
+//! image of `exact`. Prints the depth complexity, in which the boxes of volumes count as in the paper, and the
+//! difference of the images. Records keep colours in 16 bits, as published.
 //!
 //! `cargo run --release --example 19_the_molecule [FOLDER]`
 

@@ -1,9 +1,10 @@
 //! How does a frame's cost follow its depth complexity (Lindholm et al. 2015, figure 2)?
 //!
-//! The camera dollies to the molecule and back while every hundredth step changes what is shown: at 100 the molecular
-//! surface goes, at 200 the volumes go and the surface comes back, at 300 the potential's isosurfaces come. Every tenth
-//! step's histogram is a bar, in which the boxes of the volumes count as in the paper; the lines are what a linked list
-//! with ppDP costs, each as a ratio to frame 0's. Counts follow the histogram; the time also has the rays through volumes.
+//! The camera dollies to the molecule and back. Every hundred frames the scene changes: at frame 100 the molecular
+//! surface leaves; at frame 200 the volumes leave and the surface returns; at frame 300 the potential's isosurfaces
+//! enter. The histogram of every tenth frame is a bar, in which the boxes of volumes count as in the paper. The lines
+//! are the costs of a linked list with ppDP, each relative to frame 0. Counts follow the histogram. The time also has
+//! the rays through volumes.
 //!
 //! `cargo run --release --example 20_figure_2_over_time [FOLDER]`
 

@@ -1,11 +1,11 @@
 //! One scene by both papers: rays cast between the fragments of a list (Lindholm et al. 2015, section 6), and the same
 //! volumes as sorted slices next to peeled surfaces (Carr et al. 2008, Algorithm 1). How many slices does it take?
 //!
-//! A slice stands for a whole slab, so where a surface is inside of one, or a ray enters a volume there, half a slab at the
-//! most is on the wrong side: twice as many slices halve the difference. Hybrid layer peeling's iterations stay those of
-//! the surfaces; layer peeling's, which peels slices like surfaces, grow with them.
+//! A slice stands for a whole slab. If a surface is inside of a slab, or a ray enters a volume there, at most half of
+//! the slab is on the wrong side. So twice as many slices halve the difference. The iterations of hybrid layer peeling
+//! stay those of the surfaces. Layer peeling peels slices like surfaces, so its iterations grow with their number.
 //!
-//! Writes a plot, and a picture: 12 slices, 96 slices, rays.
+//! Writes a plot, and a picture of 12 slices, of 96 slices, and of rays.
 //!
 //! `cargo run --release --example 21_both_papers_on_one_scene [FOLDER]`
 
@@ -19,7 +19,7 @@ mod example;
 
 const SIZE: [u32; 2] = [200, 150];
 const COUNTS: [u32; 6] = [16, 32, 64, 128, 256, 512];
-/// More slices take layer peeling minutes.
+/// With more slices, layer peeling takes minutes.
 const MOST_FOR_LAYERS: u32 = 64;
 
 fn main() -> onionskin::Result<()> {
@@ -86,7 +86,7 @@ fn main() -> onionskin::Result<()> {
     Ok(())
 }
 
-/// Lists of whatever length, colours in 32 bits: what is left to see are the slices.
+/// Lists of any length and colours in 32 bits, so that only the slices make a difference.
 fn rays() -> Method {
     Method::ABuffer(ABufferOptions {
         color: RecordColor::Float,

@@ -1,8 +1,8 @@
 //! What happens on one ray (Lindholm et al. 2015, section 6.1)? The section's sentences, run line by line on the emulated
 //! pixel: the list of a ray through two overlapping volumes and two panes, with the eye inside of the first volume.
 //!
-//! Prints the lines and what each entry of the list does to the ray: its position, its occupancy as bits (the right one
-//! is volume 0's), and how much light still comes through. No OpenGL.
+//! Prints the lines, and the effect of each entry of the list on the ray: its position, its occupancy as bits (volume
+//! 0's is the rightmost), and the part of the light that still comes through. Needs no OpenGL.
 //!
 //! `cargo run --example 22_a_ray_between_fragments`
 
@@ -20,7 +20,7 @@ fn main() -> onionskin::Result<()> {
     let (_, rays) = run_on_rays(&FUSED, &FUSED_AMENDMENTS, &pixel, 16, 1)?;
     println!("{}", rays[0]);
 
-    // In subpasses of two fragments, the ray's state outlives each of them: nothing changes.
+    // In subpasses of two fragments, the ray's state is kept from one to the next, so nothing changes.
     let (lists, again) = run_on_rays(&PP_DP, &FUSED_PP_DP, &pixel, 2, 16)?;
     let subpasses = lists.pixels[0].subpasses;
     println!(
@@ -35,8 +35,8 @@ fn main() -> onionskin::Result<()> {
     Ok(())
 }
 
-/// As the Fill Step leaves them: in the order of submission. The eye is inside of volume 0, so that its box has only the
-/// face where the ray leaves it.
+/// The fragments as the Fill Step leaves them, in the order of submission. The eye is inside of volume 0, so volume 0's
+/// box has only the face where the ray leaves it.
 fn fragments() -> Vec<Fragment> {
     let face = |volume, leaves| Source::Proxy { volume, leaves };
     let entries = [
@@ -71,7 +71,7 @@ fn thin(_: f64) -> Medium {
     }
 }
 
-/// Denser and denser.
+/// A density that grows with the value.
 fn growing(distance: f64) -> Medium {
     Medium {
         color: DVec3::Y,

@@ -1,8 +1,8 @@
 //! Four scenes after the paper's four (Lindholm et al. 2015, Table 1 and figures 1, 8, 9 and 10): a molecule, an ejection of
 //! the sun, a head, a flow.
 //!
-//! Each is rendered by ppDP on dynamic fragment buffers, with as many layers as there are. Prints what Table 1 has of the
-//! scenes; boxes of volumes are counted, as the paper does. The scene files say how large the paper's were.
+//! Each scene is rendered by ppDP on dynamic fragment buffers, with all of its layers. Prints the columns of Table 1,
+//! in which boxes of volumes count as in the paper. The scene files say how large the paper's scenes were.
 //!
 //! Writes one picture of all four.
 //!

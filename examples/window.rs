@@ -1,6 +1,6 @@
-//! A scene in a window, turning: onionskin in a context that glutin has made.
+//! A turning scene in a window: onionskin in a context that glutin has made.
 //!
-//! Where there is no display it says so and ends. With a number as second argument it shows that many frames, then ends.
+//! Without a display it says so and ends. With a number as its second argument, it shows that many frames and ends.
 //!
 //! `cargo run --release --example window [SCENE.toml] [FRAMES]`
 
@@ -129,7 +129,7 @@ impl Viewer {
     }
 }
 
-/// A window of that size and a current OpenGL 4.3 core context for it.
+/// A window of this size, and a current OpenGL 4.3 core context for it.
 fn open(event_loop: &ActiveEventLoop, [width, height]: [u32; 2]) -> Result<Shown, Failure> {
     let attributes = WindowAttributes::default()
         .with_inner_size(winit::dpi::PhysicalSize::new(width, height))

@@ -1,10 +1,11 @@
-//! What the examples share: where their scenes are, and where their pictures go.
+//! What the examples share: the folder of their scenes, and the folder for their pictures.
 
 use std::path::{Path, PathBuf};
 
 use onionskin::Image;
 
-/// A file in the folder that the first argument names, `out` if there is none. The folder is made if it is missing.
+/// A file in the folder that the first argument names, or in `out` without an argument. The folder is made if it is
+/// missing.
 #[allow(dead_code)] // a window writes none
 pub fn output(name: &str) -> onionskin::Result<PathBuf> {
     let folder = PathBuf::from(std::env::args().nth(1).unwrap_or_else(|| "out".into()));
@@ -23,7 +24,7 @@ pub fn scene(name: &str) -> PathBuf {
         .join(name)
 }
 
-/// Pictures of one size in rows of so many.
+/// Pictures of the same size, in rows of `columns`.
 #[allow(dead_code)] // most examples show one
 pub fn sheet(pictures: &[Image], columns: usize) -> Image {
     let (width, height) = (pictures[0].width, pictures[0].height);
