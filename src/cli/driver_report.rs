@@ -1,4 +1,4 @@
-//! What there is to say of a driver: its limits, what it lacks, and its known traps.
+//! The report of a driver: its limits, its missing features, and its known traps.
 
 use std::fmt;
 
@@ -12,19 +12,19 @@ use serde::{Serialize, Serializer};
 
 use super::output::{print_json, say};
 
-/// How a report is printed.
+/// The form in which a report is printed.
 #[derive(Clone, Copy, ValueEnum)]
 pub(super) enum Form {
     Text,
     Json,
 }
 
-/// The report.
+/// Prints the report.
 #[derive(Serialize)]
 pub(super) struct Report {
     backend: String,
     works: bool,
-    /// It does not work, and need not.
+    /// The backend does not work, and is not needed.
     optional: bool,
     answer: Option<String>,
     renderer: Option<String>,
@@ -47,7 +47,7 @@ impl Report {
         }
     }
 
-    /// Replaces the current context.
+    /// The report of a backend. This replaces the current context.
     pub(super) fn of(backend: Backend, context: &Context) -> Result<Self> {
         let driver = context.driver();
         let traps = GlMachine::new(context, [256, 256])?.traps()?;
@@ -69,7 +69,7 @@ impl Report {
         })
     }
 
-    /// A backend that gives no context, and why.
+    /// The report of a backend that gives no context, with the reason.
     pub(super) fn failed(backend: Backend, answer: String, optional: bool) -> Self {
         Self {
             backend: backend.to_string(),
@@ -129,7 +129,7 @@ impl fmt::Display for Report {
     }
 }
 
-/// Pairs as one JSON object, in their order.
+/// Pairs as one JSON object, in the order of the pairs.
 fn as_map<V: Serialize, S: Serializer>(
     pairs: &[(&'static str, V)],
     serializer: S,
@@ -137,7 +137,7 @@ fn as_map<V: Serialize, S: Serializer>(
     serializer.collect_map(pairs.iter().map(|(name, value)| (name, value)))
 }
 
-/// Whether the backend also gives a compatibility context. Replaces the current context.
+/// Whether the backend also gives a compatibility context. This replaces the current context.
 fn has_compatibility(backend: Backend) -> bool {
     Context::new(ContextOptions {
         backend: Some(backend),

@@ -2,7 +2,7 @@
 
 use onionskin::methods::{Stats, registry};
 
-/// What a user has to know about an image that is not whole.
+/// The note about an image that is not whole, or `None` if it is.
 pub(super) fn loss(stats: &Stats) -> Option<String> {
     let lost = stats.lost.filter(|&lost| lost > 0)?;
     if let Some(counts) = &stats.a_buffer {

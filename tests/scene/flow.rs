@@ -268,7 +268,7 @@ fn bad_values_are_refused_with_what_to_do() {
         ),
         (
             "generate = \"streamlines\"\nsteps = 100000\ncount = 1000000",
-            "triangles, at most",
+            "triangles, and at most",
         ),
         ("generate = \"streamlines\"\nlength = -1", "`length` is -1"),
         ("generate = \"arrows\"\nsides = 2", "`sides` is 2"),
