@@ -8,12 +8,12 @@ use crate::error::Result;
 use crate::scene::{Bounds, Camera, PartialCamera};
 
 /// The file's keys for the camera, and where they stand.
-pub(super) struct Wish<'a> {
+pub(super) struct CameraKeys<'a> {
     camera: PartialCamera,
     keys: Option<Keys<'a>>,
 }
 
-impl<'a> Wish<'a> {
+impl<'a> CameraKeys<'a> {
     pub(super) fn read(top: &Keys<'a>) -> Result<Self> {
         let Some(keys) = top.table("camera", "[camera]")? else {
             return Ok(Self {

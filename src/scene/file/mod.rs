@@ -115,7 +115,7 @@ pub(super) fn load(path: &Path, options: &LoadOptions) -> Result<Animation> {
     let of_file = of_file.map(|size| size.map(|pixels| pixels as u32));
     let size = options.size.or(of_file).unwrap_or(Scene::DEFAULT_SIZE);
     let background = keys.vector32("background", &FRACTION)?.unwrap_or_default();
-    let camera = camera::Wish::read(&keys)?;
+    let camera = camera::CameraKeys::read(&keys)?;
     let of_volumes = volume::load_all(&keys)?;
     let mut of_meshes = mesh::load_all(&keys, &of_volumes.volumes)?;
     of_meshes.notices.extend(of_volumes.notices);
