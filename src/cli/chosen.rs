@@ -1,4 +1,4 @@
-//! The options of methods, as the registry has them: each belongs to the methods that know it.
+//! The options of methods, from the registry. An option belongs to the methods that have it.
 
 use std::sync::LazyLock;
 
@@ -7,30 +7,30 @@ use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches};
 use onionskin::methods::{Choice, Takes, registry};
 use onionskin::{Error, Method, Result};
 
-/// What is chosen on the command line: names and values.
+/// The options that are given on the command line, by name and value.
 pub(super) struct Chosen(Vec<(&'static str, String)>);
 
 impl Chosen {
-    /// Whether anything is.
+    /// Whether any option is given.
     pub(super) fn is_any(&self) -> bool {
         !self.0.is_empty()
     }
 
-    /// Whether this is.
+    /// Whether this option is given.
     pub(super) fn has(&self, name: &str) -> bool {
         self.value(name).is_some()
     }
 
-    /// What is chosen for this, in words; `None` if nothing is.
+    /// The value of this option as text, or `None` if it is not given.
     pub(super) fn value(&self, name: &str) -> Option<&str> {
         let chosen = self.0.iter().find(|(chosen, _)| *chosen == name);
         chosen.map(|(_, value)| value.as_str())
     }
 
-    /// The method with all of it.
+    /// The method with these options.
     ///
     /// # Errors
-    /// If the method does not know it, or it does not go together.
+    /// If the method does not have an option, or options do not fit together.
     pub(super) fn apply_to(&self, mut method: Method) -> Result<Method> {
         for (name, value) in &self.0 {
             if !method.has(name) {
@@ -45,7 +45,7 @@ impl Chosen {
     }
 }
 
-/// Every choice that a method of the registry has, in its order, each once, with the heading that it stands under.
+/// Every option of the methods of the registry, in the registry's order and without repetition, each with its heading.
 fn offered() -> &'static [(Choice, String)] {
     static OFFERED: LazyLock<Vec<(Choice, String)>> = LazyLock::new(|| {
         let mut offered: Vec<(Choice, String)> = Vec::new();
@@ -59,7 +59,7 @@ fn offered() -> &'static [(Choice, String)] {
     &OFFERED
 }
 
-/// The methods that know a choice: of names with a `+`, what stands before it.
+/// The methods that have an option. Of a name with a `+`, only the part before it is kept.
 fn knowing(name: &str) -> String {
     let rows = registry().iter().filter(|row| row.method.has(name));
     let mut names: Vec<_> = rows.filter_map(|row| row.name.split('+').next()).collect();
@@ -83,7 +83,7 @@ fn refusal(method: Method, name: &str) -> Error {
     )
 }
 
-/// The error, of which option it is.
+/// The error, with the option's name.
 fn named(name: &str, error: Error) -> Error {
     match error {
         Error::Usage { what, remedy } => Error::usage(format!("--{name}: {what}"), remedy),

@@ -1,4 +1,4 @@
-//! Arguments that choose a method and what can be chosen about it.
+//! The arguments for a method and its options.
 
 use clap::Args;
 use onionskin::{Method, Result, Scene};
@@ -6,15 +6,15 @@ use onionskin::{Method, Result, Scene};
 use super::chosen::Chosen;
 use super::slices::Slices;
 
-/// The method if none is named.
+/// The default method.
 const OF_SURFACES: &str = "depth-peeling";
-/// The method if none is named, nor anything that the other one has, and there are volumes.
+/// The default method for a scene with volumes, unless an option is given that only the other default has.
 const OF_VOLUMES: &str = "dfb+ppdp";
 
 #[derive(Args)]
 pub(super) struct MethodOptions {
-    /// The method: exact, painter, ffb ...; `onionskin methods` describes them all [default: depth-peeling; dfb+ppdp
-    /// where volumes are to be rendered]
+    /// The method, such as exact, painter or ffb; `onionskin methods` describes all of them [default: depth-peeling,
+    /// and dfb+ppdp for scenes with volumes]
     #[arg(short, long)]
     method: Option<String>,
     #[command(flatten)]
@@ -24,10 +24,10 @@ pub(super) struct MethodOptions {
 }
 
 impl MethodOptions {
-    /// The method with its options; depth peeling if none is named.
+    /// The method with its options, or depth peeling if none is named.
     ///
     /// # Errors
-    /// If there is no such method, or it has no such option.
+    /// If the method does not exist, or does not have an option.
     pub(super) fn method(&self) -> Result<Method> {
         let method = self.method.as_deref().unwrap_or(OF_SURFACES).parse()?;
         let method = self.chosen.apply_to(method)?;
@@ -35,10 +35,11 @@ impl MethodOptions {
         Ok(method)
     }
 
-    /// `method`, or if none was named, and nothing chosen that only depth peeling has, one that renders the scene's volumes.
+    /// `method`, or the default for the scene's volumes if no method was named and no option that only depth peeling
+    /// has was given.
     ///
     /// # Errors
-    /// None, for the method is in the registry.
+    /// None, because the method is in the registry.
     pub(super) fn for_scene(&self, method: Method, scene: &Scene) -> Result<Method> {
         let asked = self.method.is_some() || self.slices.is_given() || self.chosen.is_any();
         if asked || scene.volumes.is_empty() {

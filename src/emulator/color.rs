@@ -1,10 +1,10 @@
-//! Color formats: what is stored of a colour.
+//! Color formats: how a colour is stored.
 
 use half::f16;
 
 use crate::steps::Format;
 
-/// What a map of this format keeps of a channel.
+/// The value of a channel that a map of this format stores.
 pub(super) fn stored(format: Format, channel: f32) -> f32 {
     match format {
         Format::Rgba8 => (channel.clamp(0.0, 1.0) * 255.0).round_ties_even() / 255.0,
@@ -13,7 +13,7 @@ pub(super) fn stored(format: Format, channel: f32) -> f32 {
     }
 }
 
-/// What blending sees of a shader's output: a fixed-point target clamps it first.
+/// The shader's output as blending sees it: a fixed-point target clamps it first.
 pub(super) fn blended(format: Format, channel: f32) -> f32 {
     match format {
         Format::Rgba8 => channel.clamp(0.0, 1.0),

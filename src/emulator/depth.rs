@@ -1,7 +1,7 @@
-//! Depth formats: what is stored of a depth, and what a lookup reads of it.
+//! Depth formats: how a depth is stored, and what a lookup reads.
 //!
-//! A stored depth is an f32 whatever the format: itself for 32-bit float, the raw integer for 24 and 16 bits, which an
-//! f32 holds exactly.
+//! A stored depth is an f32 for every format. For 32-bit float it is the depth itself. For 24 and 16 bits it is the raw
+//! integer, which an f32 holds exactly.
 
 use crate::steps::Format;
 
@@ -10,8 +10,8 @@ const MAX_24: f32 = 16_777_215.0;
 /// Raw value of the largest 16-bit depth.
 const MAX_16: f32 = 65_535.0;
 
-/// What the depth test compares and writes for a fragment at `z`: clamped to 0..1, and not a number is 1 (as llvmpipe
-/// has it; GL leaves it open), rounded to the nearest of a fixed-point format's steps.
+/// The depth that the depth test compares and writes for a fragment at `z`. It is clamped to 0..1, and rounded to the
+/// nearest step of a fixed-point format. If `z` is not a number, it is 1, as on llvmpipe; GL leaves this open.
 pub(super) fn stored(format: Format, z: f32) -> f32 {
     let z = if z.is_nan() { 1.0 } else { z.clamp(0.0, 1.0) };
     match format {
@@ -22,7 +22,7 @@ pub(super) fn stored(format: Format, z: f32) -> f32 {
     }
 }
 
-/// What `texelFetch` reads of a stored depth.
+/// The value that `texelFetch` reads from a stored depth.
 ///
 /// Fixed-point formats are read as **llvmpipe** reads them: multiplied by the nearest f32 to 1/(2^n - 1), where GL
 /// divides by 2^n - 1. The quotient and the product differ in their last bit for many values, so that a depth that was
@@ -72,7 +72,7 @@ mod tests {
                 sampled_by_llvmpipe(Format::Depth24Stencil8, raw) != specified
             })
             .count();
-        // Every second or third: far from a rare event.
+        // It is every second or third depth, so not a rare event.
         assert!(off > (1 << 24) / 101 / 4, "{off}");
     }
 }

@@ -1,4 +1,4 @@
-//! Pseudocode on Fragment Lists: every line does what it says, on one list a pixel.
+//! Running pseudocode on Fragment Lists, one list per pixel.
 
 mod pixel;
 mod ray;
@@ -14,23 +14,24 @@ use crate::steps::pseudo::Algorithm;
 use crate::steps::pseudo::list::{End, Key, Line, Taken, Test};
 use crate::steps::{Amendment, Met, Scope};
 
-/// What an algorithm did.
+/// The result of an algorithm.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ListRun {
-    /// What became of each pixel.
+    /// The result at each pixel.
     pub pixels: Vec<Resolved>,
-    /// Whether every `repeat` ended by itself; otherwise it was left after the limit.
+    /// Whether every `repeat` ended by itself. If not, it was left after the limit.
     pub ended: bool,
 }
 
 /// ppAO's first complexity segment.
 const FIRST_SEGMENT: u32 = 8;
 
-/// Runs an algorithm on lists of fragments, one a pixel. `array` is the size of the Local Array, and with segments that
-/// of the last; a `repeat` is left after `limit` subpasses.
+/// Runs an algorithm on lists of fragments, one per pixel. `array` is the size of the Local Array, or of the last
+/// segment's. A `repeat` is left after `limit` subpasses.
 ///
 /// # Errors
-/// If the array has no element, the segments' first is larger, or a line stands where it has nothing to work on.
+/// If the array has no element, if the first segment's array is larger, or if a line stands where it has nothing to
+/// work on.
 pub fn run_on_lists(
     algorithm: &Algorithm<Line>,
     amendments: &[Amendment<Line>],
@@ -43,8 +44,8 @@ pub fn run_on_lists(
     Ok(run.resolved())
 }
 
-/// The same where a ray is cast between the fragments of each list. A fragment's `order` is a record's id: that of a
-/// proxy, or of a surface ([`Source::id`]).
+/// The same with a ray cast between the fragments of each list. A fragment's `order` is a record's id, of a proxy or of
+/// a surface ([`Source::id`]).
 ///
 /// # Errors
 /// As [`run_on_lists`].
@@ -106,7 +107,7 @@ struct Run<'a> {
     ended: bool,
 }
 
-/// Where a line is executed.
+/// The place at which a line is executed.
 #[derive(Clone, Copy)]
 struct Here {
     pixel: Option<usize>,
@@ -167,11 +168,11 @@ impl Run<'_> {
         }
     }
 
-    /// A statement without others inside.
+    /// Runs a statement that has no others inside.
     fn statement(&mut self, line: &Line, here: Here) -> Result<()> {
         match *line {
-            // Nothing to be done: the list is there, a program is chosen by its size, no volume has a state, and what is
-            // not inserted is skipped.
+            // There is nothing to do here. The list exists, the size chooses the program, no volume has a state, and a
+            // fragment that is not inserted is skipped.
             Line::Input
             | Line::Note(_)
             | Line::ActivateProgram
@@ -230,7 +231,7 @@ impl Run<'_> {
         Ok(())
     }
 
-    /// Fragments that are composited in this order, each by the lines of the body.
+    /// Composites fragments in this order, each by the lines of the body.
     fn resolve_each(
         &mut self,
         fragments: Vec<Fragment>,

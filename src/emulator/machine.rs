@@ -1,4 +1,4 @@
-//! The machine: pixels, maps, framebuffers, and what each call does to them.
+//! The machine: pixels, maps and framebuffers, and the effect of each call on them.
 
 use std::collections::HashMap;
 
@@ -11,7 +11,7 @@ use crate::error::{Error, Result};
 use crate::fragment::{Fragment, Rgba};
 use crate::steps::{Call, Format, Machine, Map, Objects, Query, Shader, Target, Workspace};
 
-/// Among what a surface is drawn.
+/// The group of objects to which a surface belongs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// Opaque geometry.
@@ -23,7 +23,7 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// Whether a draw of these objects draws it. What covers the screen is nobody's.
+    /// Whether a draw of these objects draws this group. The quad that covers the screen belongs to no group.
     pub(super) fn is_among(self, objects: Objects) -> bool {
         match objects {
             Objects::Scene => true,
@@ -41,7 +41,7 @@ impl Kind {
 pub struct Surface {
     /// Colour (straight alpha), depth, and place in the order of submission.
     pub fragment: Fragment,
-    /// Among what it is drawn.
+    /// The group of objects to which it belongs.
     pub kind: Kind,
 }
 
@@ -65,11 +65,12 @@ pub struct Emulator {
     record: Record,
 }
 
-/// Window depth of what is drawn over the screen: its vertices are at z = 0 in clip space.
+/// The window depth of the quad over the screen, whose vertices are at z = 0 in clip space.
 const SCREEN_DEPTH: f32 = 0.5;
 
 impl Emulator {
-    /// A machine for pixels with these surfaces, each pixel's in the order of submission. GL's initial state.
+    /// A machine in GL's initial state for pixels with these surfaces. Each pixel's surfaces are in the order of
+    /// submission.
     pub fn new(pixels: Vec<Vec<Surface>>) -> Self {
         Self {
             composited: vec![Vec::new(); pixels.len()],
@@ -89,7 +90,7 @@ impl Emulator {
         }
     }
 
-    /// The same, writing down what becomes of every surface of one pixel.
+    /// The same, but it also records what happens to every surface of one pixel.
     ///
     /// # Panics
     /// If there is no such pixel.
@@ -100,13 +101,13 @@ impl Emulator {
         self
     }
 
-    /// What became of the watched pixel's surfaces so far.
+    /// The record of the watched pixel's surfaces so far.
     pub fn record(&self) -> &Record {
         &self.record
     }
 
-    /// For each pixel the surfaces that were composited front to back (blended under what was there), by their order of
-    /// submission, in the order in which they were.
+    /// For each pixel, the surfaces that were composited front to back (blended under earlier ones), in their order of
+    /// compositing. A surface is given by its place in the order of submission.
     pub fn composited(&self) -> &[Vec<u32>] {
         &self.composited
     }
@@ -119,7 +120,7 @@ impl Emulator {
         Ok(&self.planes[self.plane(map)?].colors)
     }
 
-    /// A depth map's depths as its format stores them: raw integers for fixed point.
+    /// A depth map's depths as its format stores them, which for fixed point are raw integers.
     ///
     /// # Errors
     /// If there is no such map.
@@ -284,7 +285,7 @@ impl Emulator {
     }
 }
 
-/// What is drawn over the screen, at one pixel.
+/// The fragment of the quad over the screen, at one pixel.
 const SCREEN: Surface = Surface {
     fragment: Fragment {
         depth: SCREEN_DEPTH,

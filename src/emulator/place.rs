@@ -1,4 +1,4 @@
-//! Maps, and one pixel of a framebuffer: what a fragment finds there, and what it leaves.
+//! Maps, and one pixel of a framebuffer: the values that a fragment finds there, and those that it leaves.
 
 use super::record::Outcome;
 use super::stages;
@@ -6,25 +6,25 @@ use super::state::State;
 use super::{color, depth};
 use crate::steps::Format;
 
-/// A map's texels, one a pixel.
+/// A map's texels, one per pixel.
 #[derive(Clone, Debug)]
 pub(super) struct Plane {
     pub(super) format: Format,
-    /// Of a color map, with all channels that its format lacks at 0.
+    /// The texels of a color map. Channels that its format lacks are 0.
     pub(super) colors: Vec<[f32; 4]>,
-    /// Of a depth map, as the depth format stores them.
+    /// The depths of a depth map, as its format stores them.
     pub(super) depths: Vec<f32>,
     pub(super) stencils: Vec<u8>,
 }
 
-/// What a framebuffer draws into.
+/// The maps into which a framebuffer draws.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Attached {
     pub(super) color: Option<usize>,
     pub(super) depth: Option<usize>,
 }
 
-/// What a lookup reads; an unbound unit reads nothing.
+/// The value that a lookup reads. An unbound unit reads 0.
 pub(super) fn texel(planes: &[Plane], bound: Option<usize>, pixel: usize) -> [f32; 4] {
     let Some(plane) = bound.map(|plane| &planes[plane]) else {
         return [0.0; 4];
@@ -46,7 +46,7 @@ pub(super) fn write_masked(texel: &mut [f32; 4], new: [f32; 4], mask: [bool; 4])
     }
 }
 
-/// One pixel of a framebuffer: what a fragment finds, and what it leaves.
+/// One pixel of a framebuffer: the values that a fragment finds, and those that it leaves.
 #[derive(Clone, Copy)]
 pub(super) struct Place {
     pub(super) depth_format: Option<Format>,
@@ -94,7 +94,7 @@ impl Place {
             return Outcome::DepthFail;
         }
         self.stencil = stencil_after(state.stencil_ops.dppass);
-        // Writing. Without a depth test nothing is written to the depth buffer either.
+        // Writing. Without a depth test, nothing is written to the depth buffer.
         if depth_test && state.depth_mask {
             self.depth = z;
         }

@@ -1,4 +1,4 @@
-//! Pseudocode on the emulated pixels: every line does what it says.
+//! Running pseudocode on the emulated pixels.
 
 use super::machine::{Kind, Surface};
 use crate::error::{Error, Result};
@@ -6,24 +6,25 @@ use crate::fragment::Fragment;
 use crate::steps::pseudo::{Algorithm, Line, Test, Value};
 use crate::steps::{Amendment, Compare, Met, Scope};
 
-/// What an algorithm did.
+/// The result of an algorithm.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AlgorithmRun {
-    /// For each pixel the transparent surfaces that were composited, by their order of submission, as they were.
+    /// For each pixel, the composited transparent surfaces in their order of compositing, each by its place in the
+    /// order of submission.
     pub composited: Vec<Vec<u32>>,
-    /// Rounds of its `while`.
+    /// The rounds of its `while`.
     pub iterations: u32,
-    /// Passes over transparent geometry of which there was any.
+    /// The passes over transparent geometry, not counting empty geometry.
     pub geometry_passes: u32,
-    /// Whether the `while` ended by itself; otherwise it was left after the limit.
+    /// Whether the `while` ended by itself. If not, it was left after the limit.
     pub ended: bool,
 }
 
-/// Runs an algorithm on pixels with these surfaces. `zNear` is 0; `zOpaque` is the depth of the nearest opaque surface, 1
-/// where there is none. Its `while` is left after `limit` rounds.
+/// Runs an algorithm on pixels with these surfaces. `zNear` is 0; `zOpaque` is the depth of the nearest opaque surface,
+/// or 1 if there is none. The `while` is left after `limit` rounds.
 ///
 /// # Errors
-/// If it reads a variable that it has not set.
+/// If the algorithm reads a variable that it has not set.
 pub fn run_algorithm(
     algorithm: &Algorithm,
     amendments: &[Amendment<Line>],
@@ -52,7 +53,7 @@ pub fn run_algorithm(
 
 /// The fragment's own depth.
 const FRAGMENT: &str = "zFragment";
-/// The one variable that is not a pixel's own.
+/// The one variable that all pixels share.
 const CHANGED: &str = "gChanged";
 
 fn opaque_depth(surfaces: &[Surface]) -> f32 {
@@ -73,7 +74,7 @@ struct Run<'a> {
     done: AlgorithmRun,
 }
 
-/// Where a line is executed.
+/// The place at which a line is executed.
 #[derive(Clone, Copy)]
 enum Here<'a> {
     Nowhere,

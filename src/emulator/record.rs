@@ -1,8 +1,8 @@
-//! What became of each fragment of a pixel, draw by draw: a record, and its table.
+//! A record of what happens to each fragment of a pixel, draw by draw, and its table.
 
 use std::fmt;
 
-/// Where a fragment's way ended.
+/// The stage at which a fragment ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Outcome {
     /// The shader discarded it.
@@ -15,20 +15,20 @@ pub enum Outcome {
     Pass,
 }
 
-/// One fragment's way through the stages.
+/// A fragment's way through the stages.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fate {
-    /// Its place in the order of submission.
+    /// The fragment's place in the order of submission.
     pub order: u32,
-    /// The depth it came with.
+    /// The fragment's depth.
     pub depth: f32,
-    /// Where its way ended.
+    /// The stage at which it ended.
     pub outcome: Outcome,
     /// The pixel's stencil value before and after it.
     pub stencil: [u8; 2],
     /// The pixel's stored depth before and after it (the raw integer, if the format has fixed point).
     pub stored_depth: [f32; 2],
-    /// The pixel's color before and after it, as far as the framebuffer has one.
+    /// The pixel's color before and after it, if the framebuffer has a color map.
     pub color: [[f32; 4]; 2],
 }
 
@@ -37,7 +37,7 @@ pub struct Fate {
 pub struct Draw {
     /// The program that drew.
     pub program: &'static str,
-    /// Its fragments, in the order of submission.
+    /// The fragments, in the order of submission.
     pub fates: Vec<Fate>,
     /// The pixel's stencil value and stored depth at the end.
     pub left: (u8, f32),
@@ -51,7 +51,7 @@ pub struct Record {
 }
 
 impl Draw {
-    /// The orders of the fragments that ended so.
+    /// The places in the order of submission of the fragments that ended so.
     pub fn with(&self, outcome: Outcome) -> Vec<u32> {
         let ended_so = |fate: &&Fate| fate.outcome == outcome;
         self.fates
@@ -74,7 +74,7 @@ impl fmt::Display for Outcome {
 }
 
 impl fmt::Display for Draw {
-    /// A line a fragment; what a fragment did not change is not repeated.
+    /// Prints one line per fragment. Values that a fragment did not change are not repeated.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(
             f,

@@ -1,10 +1,10 @@
-//! The twins of `glsl/`: each fragment shader that takes part in a listing, under its file's name.
+//! The twins of `glsl/`: a function for each fragment shader of a listing, under the name of the shader's file.
 
 use crate::error::{Error, Result};
 use crate::fragment::Fragment;
 use crate::steps::Shader;
 
-/// What a shader sees: the fragment, and at its own pixel the maps that are bound.
+/// The inputs of a shader: the fragment, and the bound maps at its pixel.
 pub(super) struct Inputs<'a> {
     pub(super) fragment: Fragment,
     /// `texelFetch` at this pixel, by texture unit.
@@ -13,7 +13,7 @@ pub(super) struct Inputs<'a> {
     pub(super) shadow: &'a dyn Fn(f32) -> bool,
 }
 
-/// What a shader leaves; nothing if it discards.
+/// The output of a shader, or `None` if it discards.
 pub(super) type Outputs = Option<Kept>;
 
 /// A colour, and a depth if the shader replaces it.

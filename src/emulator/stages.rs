@@ -4,7 +4,7 @@ use crate::steps::{BlendFactor, StencilOp};
 
 use super::state::{Blend, StencilTest};
 
-/// Stencil test: whether the masked reference stands to the masked stored value as the function says.
+/// The stencil test: whether the comparison holds between the masked reference and the masked stored value.
 pub(super) fn stencil_test(test: &StencilTest, stored: u8) -> bool {
     let mask = test.mask as u8;
     // GL clamps the reference to the values that the buffer can hold.
@@ -28,8 +28,8 @@ pub(super) fn stencil_op(op: StencilOp, test: &StencilTest, write_mask: u32, sto
     (stored & !mask) | (new & mask)
 }
 
-/// Blending: `source * factor + destination * factor`, color and alpha by factors of their own, in f32, each product
-/// and the sum rounded.
+/// Blending: `source * factor + destination * factor` in f32. Color and alpha have separate factors. Each product and
+/// the sum are rounded.
 pub(super) fn blend(blend: &Blend, source: [f32; 4], destination: [f32; 4]) -> [f32; 4] {
     let factor = |factor: BlendFactor| match factor {
         BlendFactor::Zero => 0.0,

@@ -1,4 +1,4 @@
-//! The state that calls set and draws obey, in GL's initial values.
+//! The state that calls set and draws use, with GL's initial values.
 
 use crate::steps::{BlendFactor, Call, Capability, Compare, StencilOp};
 
@@ -36,7 +36,7 @@ impl Blend {
     }
 }
 
-/// Everything that is a value rather than an object.
+/// All state that is a value and not an object.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct State {
     pub(super) depth_test: bool,
@@ -52,7 +52,7 @@ pub(super) struct State {
     pub(super) clear_color: [f32; 4],
     pub(super) clear_depth: f64,
     pub(super) clear_stencil: i32,
-    /// Of the shadow lookup of texture unit 0.
+    /// The comparison of texture unit 0's shadow lookup.
     pub(super) compare_func: Compare,
 }
 
@@ -90,7 +90,7 @@ impl State {
         }
     };
 
-    /// Takes a call that only sets state; false if it is another.
+    /// Performs a call that only sets state. Returns false for any other call.
     pub(super) fn set(&mut self, call: &Call) -> bool {
         match *call {
             Call::ClearColor {
@@ -162,7 +162,7 @@ impl State {
             Capability::DepthTest => self.depth_test = on,
             Capability::StencilTest => self.stencil_test = on.then_some(self.stencil_func),
             Capability::Blend => self.blend = on.then_some(self.blend_func),
-            // An emulated pixel's depths are given, 0 to 1.
+            // The depths of an emulated pixel are given, from 0 to 1.
             Capability::DepthClamp => {}
         }
     }

@@ -1,9 +1,8 @@
-//! Every fragment, read back: what the oracle sorts.
+//! Reading back every fragment, for the oracle to sort.
 //!
-//! The list is made with one atomic counter, in whatever order the fragments come; each record carries its pixel and
-//! its triangle's place in the order of submission, so that the order in which they came does not matter.
-//! Memory is sized from an exact count. Where a piece of the image has more fragments than one buffer may hold, the
-//! piece is halved.
+//! The list is made with one atomic counter, in the order in which fragments come. This order does not matter, because
+//! each record has its pixel and its triangle's place in the order of submission. The memory is sized from an exact
+//! count. If a piece of the image has more fragments than one buffer may hold, the piece is halved.
 
 use bytemuck::{Pod, Zeroable};
 use glow::HasContext;
@@ -15,7 +14,7 @@ use crate::error::{Error, Result};
 use crate::fragment::Rgba;
 use crate::steps::{Call, Capability, Compare, Machine, Map, Objects, Query, Shader, Target};
 
-/// A fragment and where it is.
+/// A fragment and its pixel.
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub struct CapturedFragment {
@@ -27,7 +26,7 @@ pub struct CapturedFragment {
     pub depth: f32,
     /// Place of its triangle in the order of submission, over all meshes.
     pub order: u32,
-    /// Straight alpha.
+    /// The colour, with straight alpha.
     pub color: Rgba,
 }
 
@@ -35,7 +34,7 @@ pub struct CapturedFragment {
 /// `limit` fragments are held in GL's memory at a time.
 ///
 /// # Errors
-/// If the driver has no room, or a single pixel has more fragments than the limit.
+/// If the driver has too little memory, or a single pixel has more fragments than the limit.
 pub fn capture(
     machine: &mut GlMachine<'_>,
     opaque_depth: Map,
@@ -54,21 +53,22 @@ pub fn capture(
     Ok(fragments)
 }
 
-/// What is captured.
+/// The fragments to be captured.
 pub struct Captured {
-    /// Which objects are drawn.
+    /// The objects that are drawn.
     pub objects: Objects,
-    /// What they are tested against, unchanged.
+    /// The depths against which they are tested, unchanged.
     pub depth: Map,
     /// The test.
     pub passes: Compare,
 }
 
-/// Captures fragments in pieces of the image, which are given to `take` one after the other with what they have. Each
-/// pixel is in one piece. A piece has at most `limit` fragments.
+/// Captures fragments in pieces of the image, and gives each piece with its fragments to `take`. Each pixel is in one
+/// piece. A piece has at most `limit` fragments.
 ///
 /// # Errors
-/// If the driver has no room, a single pixel has more fragments than the limit, or `take` answers with an error.
+/// If the driver has too little memory, if a single pixel has more fragments than the limit, or if `take` returns an
+/// error.
 pub fn capture_in_pieces(
     machine: &mut GlMachine<'_>,
     what: &Captured,
@@ -132,7 +132,7 @@ fn before(passes: Compare) -> [Call; 3] {
     ]
 }
 
-/// How many fragments one buffer holds.
+/// The number of fragments that one buffer holds.
 fn room(largest_buffer: i64, limit: u32) -> u32 {
     // glow addresses the inside of a buffer with 31 bits.
     let bytes = largest_buffer.clamp(0, i64::from(i32::MAX)) as usize;
@@ -142,7 +142,7 @@ fn room(largest_buffer: i64, limit: u32) -> u32 {
         .max(1)
 }
 
-/// How many fragments the current piece has.
+/// The number of fragments of the current piece.
 fn count(machine: &mut GlMachine<'_>, objects: Objects) -> Result<u64> {
     machine.perform(&Call::UseProgram { program: SURFACE })?;
     machine.perform(&Call::BeginQuery { query: CAPTURED })?;
@@ -158,9 +158,9 @@ pub struct Piece {
     pub x: u32,
     /// The first row, from the bottom.
     pub y: u32,
-    /// How many columns.
+    /// The number of columns.
     pub width: u32,
-    /// How many rows.
+    /// The number of rows.
     pub height: u32,
 }
 
@@ -174,7 +174,7 @@ impl Piece {
         }
     }
 
-    /// Two pieces, cut across the longer side; none of a single pixel.
+    /// Two pieces, cut across the longer side. `None` for a single pixel.
     fn halves(self) -> Option<[Self; 2]> {
         let Self {
             x,

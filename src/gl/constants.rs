@@ -1,4 +1,4 @@
-//! The vocabulary's enums as GL's constants.
+//! GL's constants for the vocabulary's enums.
 
 use crate::steps::{BlendEquation, BlendFactor, Buffers, Capability, Compare, StencilOp};
 
@@ -15,7 +15,7 @@ pub(super) fn error_name(error: u32) -> &'static str {
     }
 }
 
-/// What `glClear` clears.
+/// The bits of `glClear`.
 pub(super) fn clear_bits(mask: Buffers) -> u32 {
     let bit = |set, bit| if set { bit } else { 0 };
     bit(mask.color, glow::COLOR_BUFFER_BIT)
@@ -23,7 +23,7 @@ pub(super) fn clear_bits(mask: Buffers) -> u32 {
         | bit(mask.stencil, glow::STENCIL_BUFFER_BIT)
 }
 
-/// What `glEnable` turns on.
+/// The capability of `glEnable`.
 pub(super) const fn capability(cap: Capability) -> u32 {
     match cap {
         Capability::DepthTest => glow::DEPTH_TEST,
@@ -61,7 +61,7 @@ pub(super) const fn stencil_op(op: StencilOp) -> u32 {
     }
 }
 
-/// How a blend combines source and destination.
+/// A blend equation.
 pub(super) const fn blend_equation(mode: BlendEquation) -> u32 {
     match mode {
         BlendEquation::FuncAdd => glow::FUNC_ADD,

@@ -1,10 +1,10 @@
-//! What the driver is, what it can do, and which traps it has.
+//! The driver: its name, its abilities and its known traps.
 
 use std::collections::BTreeSet;
 
 use glow::HasContext;
 
-/// What a driver says of itself.
+/// A driver's description of itself.
 #[derive(Clone, Debug)]
 pub struct Driver {
     /// `GL_RENDERER`.
@@ -15,34 +15,34 @@ pub struct Driver {
     pub version: (u32, u32),
     /// Major and minor of the shading language, the minor in hundredths: (4, 30).
     pub shading_language: (u32, u32),
-    /// OpenGL ES rather than OpenGL.
+    /// Whether it is OpenGL ES and not OpenGL.
     pub embedded: bool,
-    /// Whether it still has what OpenGL 3.1 removed.
+    /// Whether it still has the functions that OpenGL 3.1 removed.
     pub has_fixed_functions: bool,
-    /// Every extension it names.
+    /// All extensions.
     pub extensions: BTreeSet<String>,
     /// Limits by GL's names.
     pub limits: Vec<(&'static str, i64)>,
 }
 
-/// A way in which a driver is known to go wrong.
+/// A known error of drivers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "cli", derive(serde::Serialize))]
 pub struct Trap {
-    /// What happens.
+    /// The effect of the error.
     pub what: &'static str,
-    /// How onionskin gets around it.
+    /// How onionskin avoids it.
     pub avoided: &'static str,
 }
 
-/// Atomics of a fragment shader that are lost: see [`crate::gl::GlMachine::traps`].
+/// Lost atomics of a fragment shader: see [`crate::gl::GlMachine::traps`].
 pub(super) const LOST_ATOMICS: Trap = Trap {
     what: "a fragment shader's buffer writes and atomics are lost when a later opaque triangle covers a whole tile \
            and the framebuffer has no depth attachment (Mesa 22.3 llvmpipe)",
     avoided: "every framebuffer whose fragments write buffers has a depth attachment",
 };
 
-/// Extensions that some method or check wants, and for what. None of them is needed to render.
+/// Extensions that some method or check uses, and their purposes. None of them is needed to render.
 pub const WANTED_EXTENSIONS: [(&str, &str); 4] = [
     ("GL_KHR_debug", "steps named in debuggers"),
     (
@@ -98,7 +98,7 @@ impl Driver {
             )
         };
         let number = (version.major, version.minor);
-        // Before 4.3 most of the limits do not exist, and the context will be refused anyway.
+        // Before version 4.3 most of the limits do not exist, and the context will be refused anyway.
         let limits = if number < (4, 3) || version.is_embedded {
             Vec::new()
         } else {
@@ -126,7 +126,7 @@ impl Driver {
         }
     }
 
-    /// A limit by GL's name; 0 if it is not one of those that are asked.
+    /// A limit by GL's name, or 0 if it is not one of the known limits.
     pub fn limit(&self, name: &str) -> i64 {
         self.limits
             .iter()
@@ -145,7 +145,7 @@ impl Driver {
     }
 }
 
-/// The two numbers that a version's text begins with.
+/// The two numbers at the beginning of a version's text.
 fn numbers(text: &str) -> (u32, u32) {
     let mut numbers = text
         .split(|c: char| !c.is_ascii_digit())

@@ -1,4 +1,4 @@
-//! Framebuffers: what listings draw into.
+//! Framebuffers, into which listings draw.
 
 use glow::HasContext;
 
@@ -15,7 +15,7 @@ impl GlMachine<'_> {
     /// Makes a framebuffer that draws into these maps.
     ///
     /// # Errors
-    /// If a map is missing, or the driver does not take the combination.
+    /// If a map is missing, or the driver does not support the combination.
     pub fn target(&mut self, target: Target, color: Option<Map>, depth: Option<Map>) -> Result<()> {
         self.target_of(target, color.as_slice(), depth)
     }
@@ -34,7 +34,7 @@ impl GlMachine<'_> {
         let attachments: Vec<u32> = (glow::COLOR_ATTACHMENT0..).take(MOST_COLORS).collect();
         let depth_texture = texture(depth)?;
         let depth_attachment = depth_attachment(depth_texture);
-        // The framebuffer may have had more before: the others are attached to nothing.
+        // The framebuffer may have had more color maps before. The others are detached.
         for (number, &attachment) in attachments.iter().enumerate() {
             let raw = texture(colors.get(number).copied())?.map(|texture| texture.raw);
             // SAFETY: the framebuffer is bound, and the texture exists or is none.
@@ -57,7 +57,7 @@ impl GlMachine<'_> {
         // SAFETY: the framebuffer is bound.
         match unsafe { gl.check_framebuffer_status(glow::FRAMEBUFFER) } {
             glow::FRAMEBUFFER_COMPLETE => Ok(()),
-            // A framebuffer whose depth map is attached by the listing has nothing yet.
+            // A framebuffer whose depth map the listing will attach has no map yet.
             glow::FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT
                 if colors.is_empty() && depth.is_none() =>
             {
@@ -91,7 +91,7 @@ impl GlMachine<'_> {
         let [width, height] = self.size.map(|side| side as i32);
         // SAFETY: the context is current, and the framebuffer is the machine's own.
         unsafe {
-            // Both would change what is copied.
+            // Both would change the copied colours.
             gl.disable_draw_buffer(glow::SCISSOR_TEST, 0);
             gl.disable(glow::FRAMEBUFFER_SRGB);
             gl.bind_framebuffer(glow::READ_FRAMEBUFFER, Some(framebuffer));
@@ -119,7 +119,7 @@ impl GlMachine<'_> {
     }
 }
 
-/// Where a depth map is attached: a format without stencil values takes the depth alone.
+/// The attachment of a depth map. A format without a stencil is attached as the depth alone.
 pub(super) fn depth_attachment(texture: Option<Texture>) -> u32 {
     match texture {
         Some(texture) if !texture.format.has_stencil() => glow::DEPTH_ATTACHMENT,

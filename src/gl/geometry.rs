@@ -19,7 +19,7 @@ pub struct Geometry<'c> {
     context: &'c Context,
     meshes: Vec<Uploaded>,
     draws: Vec<Run>,
-    /// The place in the world that positions are drawn relative to: [`origin_of`].
+    /// The place in the world to which drawn positions are relative: [`origin_of`].
     origin: DVec3,
     /// From positions relative to the origin to clip space.
     view_projection: Mat4,
@@ -28,11 +28,11 @@ pub struct Geometry<'c> {
     pub(super) projection: DMat4,
     /// Relative to the origin.
     eye: Vec3,
-    /// Where transparent surfaces may be: columns and rows from the lower left, x, y, width, height.
+    /// The rectangle in which transparent surfaces may be: x, y, width, height, from the lower left.
     window: [i32; 4],
 }
 
-/// Triangles of one mesh that are drawn in one go: `count` indices from `first`.
+/// Triangles of one mesh that are drawn by one call: `count` indices from `first`.
 struct Run {
     mesh: usize,
     first: i32,
@@ -41,8 +41,8 @@ struct Run {
     place: u32,
 }
 
-/// A large mesh is drawn in pieces of so many indices with a flush after each, so that a driver whose vertex stage and
-/// rasteriser run side by side, as llvmpipe's do, has something to rasterise while it transforms the next piece.
+/// A large mesh is drawn in pieces of so many indices with a flush after each. A driver whose vertex stage and
+/// rasteriser run side by side, as llvmpipe's do, can then rasterise a piece while it transforms the next one.
 const PIECE: i32 = 3 * 10_000;
 
 impl Run {
@@ -58,7 +58,7 @@ impl Run {
     }
 }
 
-/// What the fixed functions draw from.
+/// The buffers from which the fixed functions draw.
 pub(super) struct Buffers {
     pub(super) vertices: glow::Buffer,
     pub(super) indices: glow::Buffer,
@@ -71,7 +71,7 @@ impl Buffers {
     pub(super) const COLOR: usize = std::mem::offset_of!(Corner, color);
 }
 
-/// A vertex as a driver gets it.
+/// A vertex in the driver's form.
 #[derive(Clone, Copy, Pod, Zeroable)]
 #[repr(C)]
 struct Corner {
@@ -90,7 +90,7 @@ impl Corner {
     }
 }
 
-/// One mesh and what its draw calls need.
+/// A mesh with the data for its draw calls.
 struct Uploaded {
     vertices: glow::Buffer,
     indices: glow::Buffer,
@@ -107,7 +107,7 @@ impl<'c> Geometry<'c> {
     /// Uploads the scene's meshes, to be drawn in the order of submission.
     ///
     /// # Errors
-    /// If the driver has no room, or a mesh is larger than a draw call.
+    /// If the driver has too little memory, or a mesh is too large for a draw call.
     pub fn upload(context: &'c Context, scene: &Scene, size: [u32; 2]) -> Result<Self> {
         let _bound = Bound::keep(context)?;
         let mut geometry = Self::empty(context, scene, size);
@@ -213,7 +213,7 @@ impl<'c> Geometry<'c> {
         ))
     }
 
-    /// The part of the image outside of which no transparent surface is.
+    /// The rectangle of the image outside of which there is no transparent surface.
     pub(super) fn window(&self) -> [i32; 4] {
         self.window
     }
@@ -229,7 +229,7 @@ impl<'c> Geometry<'c> {
         })
     }
 
-    /// Draws, changing between the programs as the meshes' shading asks. Returns whether there was anything to draw.
+    /// Draws the objects, each mesh with the program for its shading. Returns whether there was anything to draw.
     pub(super) fn draw(&self, surfaces: &Surfaces, objects: Objects) -> bool {
         let gl = self.context.glow();
         let view_projection = self.view_projection.to_cols_array();
@@ -371,10 +371,10 @@ impl Uploaded {
     }
 }
 
-/// The place that positions are drawn relative to: the middle of a scene that lies so far from the world's origin that
-/// 32 bits would lose digits of its shape, as map coordinates do; otherwise the origin itself.
+/// The place to which drawn positions are relative. It is the middle of a scene that is so far from the world's origin
+/// that 32 bits would lose digits of its shape, as with map coordinates. Otherwise it is the origin itself.
 fn origin_of(scene: &Scene) -> DVec3 {
-    /// A scene this many of its own sizes away loses as many times f32's rounding, and from here on gains by moving.
+    /// A scene that is this many of its own sizes away loses as many times f32's rounding, and gains by moving.
     const FAR: f64 = 8.0;
     match scene.bounds() {
         Some(bounds) if bounds.centre().length() > FAR * bounds.size().length() => bounds.centre(),
@@ -382,7 +382,7 @@ fn origin_of(scene: &Scene) -> DVec3 {
     }
 }
 
-/// The box around a volume, its faces turned outwards.
+/// The box around a volume, with its faces turned outwards.
 fn proxy(volume: &Volume) -> Mesh {
     // Corners by their bits: 1 for the end of x, 2 of y, 4 of z. Counterclockwise, seen from outside.
     const FACES: [[u32; 4]; 6] = [

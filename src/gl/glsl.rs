@@ -1,7 +1,7 @@
 //! The shaders' sources, and the one thing added to GLSL: `#include "common/NAME"`.
 //!
-//! An include is replaced by the file, between `#line` directives that give every file a number of its own; the driver
-//! puts that number before each message, and [`Source::explain`] puts the file's name in its place.
+//! An include is replaced by the file, between `#line` directives that give every file a number of its own. The driver
+//! puts that number before each message, and [`Source::explain`] replaces it by the file's name.
 
 #[cfg(test)]
 pub(crate) mod changed;
@@ -21,7 +21,7 @@ const ELEMENTS: &str = "a_buffer/elements";
 const EACH_VOLUME: &str = "a_buffer/each_volume";
 /// Likewise: the jumps of a binary search among POINTS elements.
 const HALVINGS: &str = "a_buffer/halvings";
-/// Larger networks take drivers too long to compile; nothing includes them.
+/// Larger networks take drivers too long to compile, and nothing includes them.
 const LARGEST_NETWORK: u32 = 128;
 
 /// The names of all fragment shaders, as listings have them.
@@ -31,12 +31,12 @@ pub fn shaders() -> impl Iterator<Item = &'static str> {
         .filter_map(|(name, _)| name.strip_suffix(".frag"))
 }
 
-/// A shader, its includes in place.
+/// A shader with its includes resolved.
 #[derive(Debug)]
 pub(super) struct Source {
-    /// What the driver gets.
+    /// The text for the driver.
     pub(super) text: String,
-    /// File number by file number, the names.
+    /// The names of the files, by their numbers.
     files: Vec<String>,
 }
 

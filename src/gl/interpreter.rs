@@ -1,4 +1,4 @@
-//! The interpreter: every call of a listing becomes a call of GL. The one place where that happens.
+//! The interpreter: every call of a listing becomes a call of GL. This happens nowhere else.
 
 use std::collections::hash_map::Entry;
 
@@ -158,8 +158,8 @@ impl GlMachine<'_> {
         match (program, objects) {
             (Linked::Screen(_), Objects::Screen) => {
                 let gl = self.context.glow();
-                // What is drawn over the screen works on layers of transparent surfaces, so it need not reach further
-                // than they do.
+                // A draw over the screen works on layers of transparent surfaces, so it need not reach further than
+                // they do.
                 let [x, mut y, width, mut height] = self
                     .geometry
                     .as_ref()

@@ -29,39 +29,39 @@ pub struct GlMachine<'c> {
     pub(super) framebuffers: HashMap<Target, glow::Framebuffer>,
     pub(super) storages: HashMap<Storage, StorageBuffer>,
     pub(super) programs: HashMap<ProgramKey, Linked>,
-    /// What the programs of an A-buffer are compiled with.
+    /// The defines of an A-buffer's programs.
     pub(super) constants: Vec<(&'static str, u32)>,
     /// The near plane's distance, as the bits of a float, if depths are 1/w.
     pub(super) inverse_w: Option<u32>,
     pub(super) queries: HashMap<Query, glow::Query>,
-    /// With compare mode, of texture unit 0.
+    /// The sampler with compare mode, of texture unit 0.
     pub(super) shadow_sampler: glow::Sampler,
-    /// Without, of the other units.
+    /// The sampler without compare mode, of the other units.
     pub(super) plain_sampler: glow::Sampler,
-    /// Draws without attributes need an array of none.
+    /// Draws without attributes need a vertex array without attributes.
     pub(super) no_attributes: glow::VertexArray,
     pub(super) geometry: Option<Geometry<'c>>,
     pub(super) volumes: Option<VolumeTextures<'c>>,
-    /// What the programs of slices are compiled with, if any are drawn.
+    /// The defines of the programs of slices, if any are drawn.
     pub(super) slices: Option<volumes::Constants>,
-    /// Linked when a scan is first asked for.
+    /// The programs of the scan, which are linked when a scan is first asked for.
     pub(super) scan: Option<ScanPrograms>,
     pub(super) current: Option<ProgramKey>,
     /// A query has begun and not ended.
     pub(super) counting: bool,
-    /// First row and number of rows that are drawn to, if not all.
+    /// The first row and the number of rows that are drawn to, or `None` for all rows.
     pub(super) band: Option<[u32; 2]>,
     pub(super) counts: Counts,
-    /// What classic calls have set and made.
+    /// The state and the objects of classic calls.
     pub(super) classic: Classic,
 }
 
-/// What a machine has done since [`GlMachine::begin_frame`].
+/// Counts of a machine's work since [`GlMachine::begin_frame`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Counts {
-    /// Draws of the scene, or of its transparent part.
+    /// The draws of the scene, or of its transparent part.
     pub geometry_passes: u64,
-    /// Bytes of all textures and buffers that the method has the machine hold.
+    /// The bytes of all textures and buffers that the machine holds for the method.
     pub bytes: u64,
 }
 
@@ -125,7 +125,7 @@ impl<'c> GlMachine<'c> {
         })
     }
 
-    /// The context it works in.
+    /// The context in which it works.
     pub fn context(&self) -> &'c Context {
         self.context
     }
@@ -135,13 +135,14 @@ impl<'c> GlMachine<'c> {
         self.size
     }
 
-    /// What the draw calls draw from now on.
+    /// Sets the geometry that draw calls draw.
     pub fn set_geometry(&mut self, geometry: Geometry<'c>) {
         self.geometry = Some(geometry);
     }
 
-    /// GL's initial state, as a fresh context has it, a viewport of the machine's size, and every count at 0. Listings
-    /// take it from there. What the state was before is lost, unless a [`Visit`](super::Visit) of the context is going on.
+    /// Sets GL's initial state, as a fresh context has it, a viewport of the machine's size, and every count to 0.
+    /// Listings start from there. The state before is lost, unless a [`Visit`](super::Visit) of the context is going
+    /// on.
     pub fn begin_frame(&mut self) {
         self.end_counting();
         known_state(self.context, self.size);
@@ -159,7 +160,7 @@ impl<'c> GlMachine<'c> {
                 gl.bind_sampler(unit, sampler);
             }
         }
-        // A listing chooses its program anew.
+        // A listing chooses its program again.
         self.current = None;
         self.band = None;
         self.counts.geometry_passes = 0;
@@ -174,10 +175,10 @@ impl<'c> GlMachine<'c> {
         }
     }
 
-    /// Asks OpenGL what has gone wrong since it was last asked; release builds do not ask after each step.
+    /// Asks OpenGL for errors since it was last asked. Release builds do not ask after each step.
     ///
     /// # Errors
-    /// What OpenGL says, whatever was done.
+    /// OpenGL's error, after any call.
     pub fn expect_no_error(&self, when: &str) -> Result<()> {
         expect_no_error(self.context.glow(), when)
     }
@@ -196,18 +197,18 @@ impl<'c> GlMachine<'c> {
         self.inverse_w = near.map(f32::to_bits);
     }
 
-    /// Whether it is so.
+    /// Whether depths are 1/w.
     pub fn has_inverse_w(&self) -> bool {
         self.inverse_w.is_some()
     }
 
-    /// Draws and clears only so many rows from `first` on, counted from the bottom; every row if none is said.
+    /// Draws and clears only so many rows from `first` on, counted from the bottom. With `None`, all rows.
     pub fn set_band(&mut self, band: Option<[u32; 2]>) {
         self.band = band;
         self.scissor_to_band();
     }
 
-    /// The scissor that the band is made with; none for the whole image.
+    /// The scissor of the band, or `None` for the whole image.
     pub(super) fn scissor_to_band(&self) {
         let gl = self.context.glow();
         // SAFETY: the context is current.
@@ -223,7 +224,7 @@ impl<'c> GlMachine<'c> {
         }
     }
 
-    /// What was done since the frame began.
+    /// The counts since the frame began.
     pub fn counts(&self) -> Counts {
         Counts {
             bytes: self.textures.values().map(Texture::bytes).sum::<u64>()
@@ -237,10 +238,10 @@ impl<'c> GlMachine<'c> {
         }
     }
 
-    /// Does something whose draws are not the method's: they are left out of [`counts`](Self::counts).
+    /// Does work whose draws are not the method's. They are left out of [`counts`](Self::counts).
     ///
     /// # Errors
-    /// Those of `work`.
+    /// The errors of `work`.
     pub fn aside<T>(&mut self, work: impl FnOnce(&mut Self) -> Result<T>) -> Result<T> {
         let counts = self.counts;
         let result = work(self);
@@ -248,16 +249,16 @@ impl<'c> GlMachine<'c> {
         result
     }
 
-    /// Waits until everything asked for has been done.
+    /// Waits until all commands have been executed.
     pub fn finish(&self) {
         // SAFETY: the context is current.
         unsafe { self.context.glow().finish() };
     }
 
-    /// Makes a map of the image's size, unless it is there in this format.
+    /// Makes a map of the image's size, unless it exists in this format.
     ///
     /// # Errors
-    /// If the driver has no room.
+    /// If the driver has too little memory.
     pub fn allocate(&mut self, map: Map, format: Format) -> Result<()> {
         match self.textures.get(&map) {
             Some(texture) if texture.format == format => Ok(()),
@@ -271,7 +272,7 @@ impl<'c> GlMachine<'c> {
         }
     }
 
-    /// How a map stores its texels.
+    /// The format of a map.
     ///
     /// # Errors
     /// If there is no such map.
@@ -279,7 +280,7 @@ impl<'c> GlMachine<'c> {
         Ok(self.texture(map)?.format)
     }
 
-    /// Lets go of a map.
+    /// Deletes a map.
     pub fn free(&mut self, map: Map) {
         if let Some(texture) = self.textures.remove(&map) {
             // SAFETY: the texture is the machine's own and is no longer in its table.
@@ -287,7 +288,7 @@ impl<'c> GlMachine<'c> {
         }
     }
 
-    /// Lets go of every map, buffer, framebuffer and volume.
+    /// Deletes every map, buffer, framebuffer and volume.
     pub fn free_every_map(&mut self) {
         (self.volumes, self.slices) = (None, None);
         let gl = self.context.glow();
@@ -321,7 +322,7 @@ impl<'c> GlMachine<'c> {
         Ok(self.texture(map)?.read_depths(self.context))
     }
 
-    /// A depth map's stencil values, bottom row first; 0 where its format has none.
+    /// A depth map's stencil values, bottom row first. They are 0 if its format has none.
     ///
     /// # Errors
     /// If there is no such map.
@@ -329,8 +330,8 @@ impl<'c> GlMachine<'c> {
         Ok(self.texture(map)?.read_stencils(self.context))
     }
 
-    /// An integer map's texels, four numbers each, bottom row first; channels that it does not have are 0, or 1 for the
-    /// last.
+    /// An integer map's texels, four numbers each, bottom row first. Missing channels are 0, except the last, which is
+    /// 1.
     ///
     /// # Errors
     /// If there is no such map.

@@ -1,11 +1,11 @@
-//! Making GL objects and giving them memory: every allocation is checked, and its error says what it was for.
+//! Making GL objects and allocating their memory. Every allocation is checked, and its error says its purpose.
 
 use glow::HasContext;
 
 use super::constants::error_name;
 use crate::error::{Error, Result};
 
-/// Objects that are being made. They are deleted when this is dropped before [`finish`](Self::finish): whoever fails
+/// Objects that are being made. They are deleted if this is dropped before [`finish`](Self::finish), so that a failure
 /// halfway leaves nothing behind.
 pub(super) struct Making<'g> {
     gl: &'g glow::Context,
@@ -66,7 +66,7 @@ impl<'g> Making<'g> {
         Ok(raw)
     }
 
-    /// Everything is made, and belongs to the caller from now on.
+    /// All objects are made, and belong to the caller from now on.
     pub(super) fn finish(mut self) {
         self.made.clear();
     }
@@ -89,7 +89,7 @@ impl Drop for Making<'_> {
     }
 }
 
-/// An object's name, or that there was none left: drivers give out names until they have lost their device.
+/// An object's name, or an error if there was none left. Drivers give out names until they have lost their device.
 pub(super) fn named<T>(kind: &str, made: Result<T, String>) -> Result<T> {
     made.map_err(|what| Error::Driver {
         what: format!("the driver makes no {kind}: {what}"),
@@ -97,10 +97,11 @@ pub(super) fn named<T>(kind: &str, made: Result<T, String>) -> Result<T> {
     })
 }
 
-/// Lets `call` allocate `bytes` for `what`, and asks whether there was room. The context is current.
+/// Lets `call` allocate `bytes` for `what`, and asks whether there was enough memory. The context is current.
 ///
 /// # Errors
-/// There was no room. An error that was pending before is not blamed on the allocation, but is an error, too.
+/// If there was too little memory. An error that was pending before is not blamed on the allocation, but is an error,
+/// too.
 pub(super) fn allocate(
     gl: &glow::Context,
     what: &str,
@@ -115,7 +116,7 @@ pub(super) fn allocate(
     }
 }
 
-/// That there is no room for something.
+/// The error that there is too little memory for something.
 pub(super) fn no_room(what: &str, bytes: u64, error: &str) -> Error {
     Error::Driver {
         what: format!("the driver has no room for {what} ({}): {error}", size(bytes)),
@@ -143,7 +144,7 @@ pub(super) fn expect_no_error(gl: &glow::Context, when: &str) -> Result<()> {
 
 /// OpenGL's errors since they were last asked for, by their names.
 pub(super) fn take_errors(gl: &glow::Context) -> Vec<&'static str> {
-    // A lost context says so for ever.
+    // A lost context reports its loss again and again.
     const MOST: usize = 16;
     std::iter::from_fn(|| take_error(gl)).take(MOST).collect()
 }
@@ -156,7 +157,7 @@ fn take_error(gl: &glow::Context) -> Option<&'static str> {
     }
 }
 
-/// Bytes, as people read them.
+/// A number of bytes, for people.
 fn size(bytes: u64) -> String {
     const KIB: f64 = 1024.0;
     match bytes as f64 {

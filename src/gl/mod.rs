@@ -1,8 +1,8 @@
 //! The GL machine, and everything that is unsafe.
 //!
 //! `glow` declares every GL call unsafe, because a call is only sound while its context is current on the calling
-//! thread and its arguments fit the objects they name. Both are kept in this room: a [`Context`] is made current where it is
-//! used and cannot leave its thread, and whoever else calls GL does it through the safe types here.
+//! thread and its arguments fit the objects they name. Both are ensured in this module: a [`Context`] is made current
+//! where it is used and cannot leave its thread, and other modules call GL only through the safe types here.
 
 #![allow(unsafe_code)]
 

@@ -1,4 +1,4 @@
-//! Functions of OpenGL that glow does not have, by their names.
+//! Functions of OpenGL that glow does not have, looked up by name.
 
 use std::ffi::{c_double, c_int, c_uint, c_void};
 
@@ -12,7 +12,7 @@ type GetIndexed = unsafe extern "system" fn(c_uint, c_uint, *mut c_int);
 type GetDouble = unsafe extern "system" fn(c_uint, *mut c_double);
 type BindRange = unsafe extern "system" fn(c_uint, c_uint, c_uint, isize, isize);
 
-/// Each is there or not: of someone else's context nothing may be known but what glow has.
+/// Each function may be missing: of someone else's context, perhaps only glow's functions are known.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct More {
     clip_control: Option<Enums>,
@@ -27,7 +27,7 @@ pub(super) struct More {
 }
 
 impl More {
-    /// Looks them up in a context that is current.
+    /// Looks the functions up in the current context.
     pub(super) fn load(driver: &Driver, look_up: impl Fn(&str) -> *const c_void) -> Self {
         macro_rules! look_up {
             ($name:literal as $kind:ty) => {{
@@ -58,7 +58,7 @@ impl More {
         self.clip_control.is_some()
     }
 
-    /// `glClipControl`, where there is one.
+    /// Calls `glClipControl` if it exists.
     pub(super) fn clip_control(&self, [origin, depth]: [u32; 2]) {
         if let Some(call) = self.clip_control {
             // SAFETY: the context is current, here and below, and the constants are OpenGL's own.
@@ -70,7 +70,7 @@ impl More {
         self.provoking_vertex.is_some()
     }
 
-    /// `glProvokingVertex`, where there is one.
+    /// Calls `glProvokingVertex` if it exists.
     pub(super) fn provoking_vertex(&self, mode: u32) {
         if let Some(call) = self.provoking_vertex {
             // SAFETY: as above.
@@ -78,7 +78,7 @@ impl More {
         }
     }
 
-    /// `glClampColor`, where there is one.
+    /// Calls `glClampColor` if it exists.
     pub(super) fn clamp_color(&self, target: u32, clamp: u32) {
         if let Some(call) = self.clamp_color {
             // SAFETY: as above.
@@ -86,7 +86,7 @@ impl More {
         }
     }
 
-    /// `glBeginConditionalRender`; false where there is none.
+    /// Calls `glBeginConditionalRender`. Returns false if it does not exist.
     pub(super) fn begin_conditional_render(&self, query: u32, mode: u32) -> bool {
         // SAFETY: as above.
         self.begin_conditional_render
@@ -94,7 +94,7 @@ impl More {
             .is_some()
     }
 
-    /// `glEndConditionalRender`, where there is one.
+    /// Calls `glEndConditionalRender` if it exists.
     pub(super) fn end_conditional_render(&self) {
         if let Some(call) = self.end_conditional_render {
             // SAFETY: as above.
@@ -102,7 +102,7 @@ impl More {
         }
     }
 
-    /// The query that is active on a target, 0 if none is or nobody knows.
+    /// The query that is active on a target, or 0 if there is none or it is not known.
     pub(super) fn current_query(&self, target: u32) -> u32 {
         let mut query = 0;
         if let Some(call) = self.get_query {
@@ -112,7 +112,7 @@ impl More {
         query as u32
     }
 
-    /// Four numbers of indexed state; nothing where they cannot be asked.
+    /// Four numbers of indexed state, or `None` if they cannot be asked for.
     pub(super) fn four(&self, name: u32, index: u32) -> Option<[i32; 4]> {
         let mut numbers = [0; 4];
         // SAFETY: as above; no indexed state has more numbers than four.
@@ -122,7 +122,7 @@ impl More {
         })
     }
 
-    /// `N` doubles; nothing where they cannot be asked.
+    /// `N` doubles, or `None` if they cannot be asked for.
     pub(super) fn doubles<const N: usize>(&self, name: u32) -> Option<[f64; N]> {
         let mut numbers = [0.0; N];
         // SAFETY: as above; the callers know how many numbers the state has.
@@ -132,7 +132,7 @@ impl More {
         })
     }
 
-    /// `glBindBufferRange` with offsets of 64 bits; false where there is none.
+    /// Calls `glBindBufferRange` with offsets of 64 bits. Returns false if it does not exist.
     pub(super) fn bind_range(&self, target: u32, index: u32, buffer: u32, range: [i64; 2]) -> bool {
         let [start, size] = range.map(|number| number as isize);
         // SAFETY: as above.

@@ -1,6 +1,6 @@
-//! Batcher's odd-even merge sort as a list of comparators: what a shader needs to sort with constant indices only.
+//! Batcher's odd-even merge sort as a list of comparators, with which a shader sorts by constant indices only.
 
-/// The comparators that sort `n` elements, `n` a power of two: each puts the smaller element first.
+/// The comparators that sort `n` elements. `n` is a power of two. Each comparator puts the smaller element first.
 pub fn odd_even_merge(n: usize) -> Vec<(usize, usize)> {
     assert!(
         n.is_power_of_two(),
@@ -27,7 +27,7 @@ pub fn odd_even_merge(n: usize) -> Vec<(usize, usize)> {
     comparators
 }
 
-/// The network as a shader includes it: one `X(i, j)` a comparator, several to a line.
+/// The network as a shader includes it: one `X(i, j)` per comparator, several per line.
 pub(super) fn glsl(n: usize) -> String {
     let mut text = String::new();
     for comparators in odd_even_merge(n).chunks(8) {
@@ -39,13 +39,13 @@ pub(super) fn glsl(n: usize) -> String {
     text
 }
 
-/// Every element of an array of `n`, one `P(k)` each: a loop written out, since drivers unroll only small ones.
+/// Every element of an array of `n`, one `P(k)` each. This is an unrolled loop, because drivers unroll only small ones.
 pub(super) fn elements(n: usize) -> String {
     let elements: Vec<String> = (0..n).map(|k| format!("P({k})")).collect();
     elements.join(" ") + "\n"
 }
 
-/// Every one of so many volumes, one `V(i)` each: a sampler's number has to be a constant.
+/// Every volume, one `V(i)` each, because a sampler's number has to be a constant.
 pub(super) fn volumes(count: u32) -> String {
     let volumes: Vec<String> = (0..count).map(|i| format!("V({i})")).collect();
     volumes.join(" ") + "\n"

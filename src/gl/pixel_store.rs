@@ -1,7 +1,7 @@
-//! How pixels lie in memory on their way to the driver and back.
+//! The layout of pixels in memory on their way to the driver and back.
 //!
-//! GL keeps it as state: with someone else's row length, skips or pixel buffer, reading a texture writes past the slice
-//! that it is read into. So every transfer owns this state for as long as it lasts.
+//! In GL this layout is state. With someone else's row length, skips or pixel buffer, reading a texture would write
+//! past the slice. So every transfer owns this state as long as it lasts.
 
 use std::ffi::{c_float, c_uint, c_void};
 
@@ -37,7 +37,7 @@ const VALUES: [(u32, i32); 24] = [
     (glow::UNPACK_COMPRESSED_BLOCK_SIZE, 0),
 ];
 
-/// Target and binding of the buffers that take a pointer's place.
+/// Targets and bindings of the buffers that replace a pointer.
 const BUFFERS: [(u32, u32); 2] = [
     (glow::PIXEL_PACK_BUFFER, glow::PIXEL_PACK_BUFFER_BINDING),
     (glow::PIXEL_UNPACK_BUFFER, glow::PIXEL_UNPACK_BUFFER_BINDING),
@@ -65,8 +65,8 @@ const TRANSFERS: [(u32, f32); 14] = [
     (0x0D1F, 0.0), // GL_DEPTH_BIAS
 ];
 
-/// Owns the state of pixel transfers: rows are tightly packed, and pointers are pointers. Puts everything back when it is
-/// dropped.
+/// Owns the state of pixel transfers: rows are tightly packed, and pointers are pointers. The state is restored when
+/// this is dropped.
 pub(super) struct PixelStore<'c> {
     context: &'c Context,
     before: State,

@@ -13,7 +13,7 @@ use crate::steps::Shader;
 #[derive(Debug)]
 pub(super) struct Program {
     pub(super) raw: glow::Program,
-    /// The uniforms of `geometry.vert` and `surface/`; none of them in a program without.
+    /// The uniforms of `geometry.vert` and `surface/`, or `None` in a program without them.
     pub(super) view_projection: Option<glow::UniformLocation>,
     pub(super) eye: Option<glow::UniformLocation>,
     pub(super) two_sided: Option<glow::UniformLocation>,
@@ -53,7 +53,7 @@ impl Program {
                     });
                 }
                 gl.attach_shader(raw, shader);
-                // It lives on as long as the program does.
+                // The shader exists as long as the program.
                 gl.delete_shader(shader);
             }
             gl.link_program(raw);
@@ -78,12 +78,12 @@ impl Program {
     }
 }
 
-/// What a program is known by: its name, and what it is compiled with.
+/// The key of a program: its name and its defines.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(super) struct ProgramKey {
     pub(super) shader: Shader,
     pub(super) constants: Vec<(&'static str, u32)>,
-    /// If it draws slices, too, what their part is compiled with besides.
+    /// The additional defines of slices, if it draws slices.
     slices: Option<Constants>,
     /// The near plane's distance, as the bits of a float, if depths are 1/w: `common/fragment_depth.glsl`.
     inverse_w: Option<u32>,
@@ -116,7 +116,7 @@ impl ProgramKey {
         }
     }
 
-    /// What all of its files are compiled with.
+    /// The defines of all of its files.
     fn defines(&self) -> Vec<(&'static str, u32)> {
         let inverse_w = self.inverse_w.map(|near| ("INVERSE_W", near));
         self.constants.iter().copied().chain(inverse_w).collect()
@@ -125,7 +125,7 @@ impl ProgramKey {
 
 const WITH_CONSTANTS: [&str; 2] = ["a_buffer/", "ideal/"];
 
-/// What a shader's name stands for.
+/// The programs of a shader's name.
 #[derive(Debug)]
 pub(super) enum Linked {
     /// A program that draws [`Objects::Screen`].
@@ -134,12 +134,12 @@ pub(super) enum Linked {
     Surface(Surfaces),
 }
 
-/// A program for each way in which a surface gets its colour.
+/// A program for each kind of shading.
 #[derive(Debug)]
 pub(super) struct Surfaces {
     unlit: Program,
     lit: Program,
-    /// Only linked when there are slices.
+    /// It is only linked if there are slices.
     slice: Option<Program>,
 }
 

@@ -1,8 +1,8 @@
 //! The prefix scan that gives each pixel of a DFB its base offset (Maule et al. 2012; Lindholm et al. 2015, section 4),
 //! in compute shaders, over any number of pixels.
 //!
-//! Level 0 holds the pixels' counts. Each number of a level above is the sum of 64 of the level below; then, from the top
-//! down, each number becomes the sum of those before it.
+//! Level 0 holds the pixels' counts. Each number of a higher level is the sum of 64 numbers of the level below. Then,
+//! from the top down, each number becomes the sum of those before it.
 
 use glow::HasContext;
 
@@ -12,7 +12,7 @@ use super::program::Program;
 use crate::error::Result;
 use crate::steps::{Call, Machine, Map, Storage};
 
-/// Numbers of a level that make one of the next.
+/// The count of numbers of a level whose sum is a number of the next level.
 const CHUNK: u32 = 64;
 /// Invocations in a work group of `scan_reduce.comp` and `scan_spread.comp`.
 const GROUP: u32 = 256;
@@ -64,7 +64,7 @@ impl GlMachine<'_> {
         let levels = std::iter::successors(Some(numbers), |&n| {
             (n > 1).then(|| n.div_ceil(u64::from(CHUNK)))
         });
-        // A level alone cannot be smaller than what a buffer must have.
+        // A level cannot be smaller than the smallest buffer.
         levels.map(|n| (n * 4).max(16)).sum()
     }
 

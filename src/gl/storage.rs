@@ -1,4 +1,4 @@
-//! Shader storage buffers by name, and the block of numbers that tells shaders which band of the image is rendered.
+//! Shader storage buffers by name, and the uniform block that tells shaders which band of the image is rendered.
 
 use glow::HasContext;
 
@@ -8,14 +8,14 @@ use super::making::{Making, allocate, no_room};
 use crate::error::{Error, Result};
 use crate::steps::Storage;
 
-/// How shaders read a buffer as texels.
+/// The format in which shaders read a buffer as texels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Texels {
     /// One 32-bit number each.
     R32Ui,
-    /// Four.
+    /// Four 32-bit numbers each.
     Rgba32Ui,
-    /// Four 32-bit floats.
+    /// Four 32-bit floats each.
     Rgba32F,
 }
 
@@ -59,8 +59,8 @@ pub fn largest_storage(context: &Context, texels: Texels) -> u64 {
 }
 
 impl GlMachine<'_> {
-    /// Makes a buffer of at least so many bytes, unless there is one. Its contents are undefined. Buffers do not shrink: the
-    /// bands of an image take turns in one that is as large as the largest band needs.
+    /// Makes a buffer of at least so many bytes, unless it exists. Its contents are undefined. Buffers do not shrink:
+    /// the bands of an image share one that is large enough for the largest band.
     ///
     /// # Errors
     /// If the driver has no room.
@@ -123,7 +123,7 @@ impl GlMachine<'_> {
         Ok(())
     }
 
-    /// Lets go of a buffer.
+    /// Deletes a buffer.
     pub fn free_storage(&mut self, storage: Storage) {
         if let Some(storage) = self.storages.remove(&storage) {
             storage.delete(self.context.glow());
@@ -220,7 +220,7 @@ impl GlMachine<'_> {
         Ok(())
     }
 
-    /// Five numbers for the shaders' uniform block 0.
+    /// Sets the five numbers of the shaders' uniform block 0.
     ///
     /// # Errors
     /// If the driver has no room.

@@ -1,4 +1,4 @@
-//! Textures that are drawn into, looked up, copied and read back.
+//! Textures, which are drawn into, looked up, copied and read back.
 
 use glow::HasContext;
 
@@ -67,7 +67,7 @@ impl Texture {
         self.format.bytes() * u64::from(self.size[0]) * u64::from(self.size[1])
     }
 
-    /// Sets a texture of fixed-point numbers to 0.
+    /// Sets all texels of a texture of fixed-point numbers to 0.
     pub(super) fn clear(&self, context: &Context) {
         let zeros = vec![0_u8; self.bytes() as usize];
         let [width, height] = self.size.map(|side| side as i32);
@@ -115,7 +115,7 @@ impl Texture {
         texels
     }
 
-    /// A depth texture's stencil values, bottom row first; 0 where it has none.
+    /// A depth texture's stencil values, bottom row first. They are 0 if it has none.
     pub(super) fn read_stencils(&self, context: &Context) -> Vec<u8> {
         let mut texels = vec![0; (self.size[0] * self.size[1]) as usize];
         if self.format.has_stencil() {
@@ -189,7 +189,7 @@ impl Context {
     }
 }
 
-/// Does something with a texture bound, on a texture unit that no listing uses, so that a listing's bindings stay.
+/// Does work with a texture bound, on a texture unit that no listing uses, so that a listing's bindings do not change.
 fn bound<T>(gl: &glow::Context, texture: glow::Texture, work: impl FnOnce() -> T) -> T {
     const UNIT: u32 = glow::TEXTURE15;
     // SAFETY: the context is current; OpenGL 4.3 has at least 80 texture units; the active one and its texture are put back.

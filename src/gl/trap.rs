@@ -1,4 +1,4 @@
-//! Looking for the ways in which drivers are known to go wrong.
+//! Testing for known errors of drivers.
 
 use glow::HasContext;
 
@@ -30,14 +30,14 @@ impl GlMachine<'_> {
         })
     }
 
-    /// How often a counting shader runs over the whole screen, in a framebuffer without depth, unblended: the conditions
-    /// of [`LOST_ATOMICS`].
+    /// The count of a shader that runs over the whole screen several times, unblended, in a framebuffer without depth,
+    /// which are the conditions of [`LOST_ATOMICS`].
     fn count_invocations(&mut self, draws: u32) -> Result<u32> {
         self.begin_frame();
         self.allocate(COLOR, Format::Rgba8)?;
         self.target(TARGET, Some(COLOR), None)?;
         let gl = self.context().glow();
-        // Deleted at the end, and wherever a step fails.
+        // It is deleted at the end, and whenever a step fails.
         let mut making = Making::new(gl);
         let counter = making.buffer()?;
         // SAFETY: the context is current, and the buffer has its storage before the shader adds to it.

@@ -1,4 +1,4 @@
-//! What uploading a mesh does besides: it keeps the host's bindings, and checks that there was room.
+//! Uploads that keep the host's bindings, and check that there was enough memory.
 
 use glow::HasContext;
 
@@ -6,7 +6,7 @@ use super::context::Context;
 use super::making::allocate;
 use crate::error::Result;
 
-/// What an upload binds something else to meanwhile.
+/// The bindings that an upload changes.
 pub(super) struct Bound<'c> {
     context: &'c Context,
     array: Option<glow::VertexArray>,
@@ -39,7 +39,7 @@ impl Drop for Bound<'_> {
     }
 }
 
-/// Gives the buffer that is bound to `target` its contents.
+/// Fills the buffer that is bound to `target`.
 pub(super) fn fill(gl: &glow::Context, target: u32, what: &str, bytes: &[u8]) -> Result<()> {
     allocate(gl, what, bytes.len() as u64, || {
         // SAFETY: the context is current, and a buffer is bound.

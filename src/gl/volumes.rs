@@ -14,11 +14,12 @@ use crate::error::{Error, Result};
 use crate::scene::{Scene, TransferPoint, Volume};
 use crate::steps::Storage;
 
-/// As many volumes as a fragment's id and the resolve's occupancy have bits for; fewer where the driver has fewer texture
-/// units for them.
+/// The most volumes: a fragment's id and the resolve's occupancy have bits for so many. Drivers with fewer texture
+/// units allow fewer.
 pub const MOST_VOLUMES: u32 = 32;
 
-/// The units before it are the fragment lists', the opaque depth's and the transfer functions'.
+/// The texture unit of the first volume. The units before it are for the fragment lists, the opaque depth and the
+/// transfer functions.
 const FIRST_UNIT: u32 = 7;
 const TRANSFER_UNIT: u32 = 6;
 const PLACES: Storage = Storage("volumes' places");
@@ -41,11 +42,12 @@ impl VolumeTextures<'_> {
 }
 
 impl<'c> GlMachine<'c> {
-    /// Uploads the scene's volumes, and lets go of those that were there. Returns the constants that shaders need about
-    /// them, VOLUMES and POINTS, both 0 without any.
+    /// Uploads the scene's volumes, and deletes the earlier ones. Returns the defines that shaders need, VOLUMES and
+    /// POINTS. Both are 0 without volumes.
     ///
     /// # Errors
-    /// There are more than the ids have bits or the driver has texture units for, or it has no room.
+    /// If there are more volumes than the ids have bits or the driver has texture units, or if it has too little
+    /// memory.
     pub fn upload_volumes(&mut self, scene: &Scene) -> Result<Constants> {
         self.upload(scene, 0.0)
     }
@@ -94,10 +96,10 @@ impl<'c> GlMachine<'c> {
         Ok([("VOLUMES", count), ("POINTS", points)])
     }
 
-    /// Binds what [`upload_volumes`](Self::upload_volumes) has uploaded, if anything.
+    /// Binds the volumes that [`upload_volumes`](Self::upload_volumes) has uploaded, if there are any.
     ///
     /// # Errors
-    /// None but what the driver has lost.
+    /// If the driver has lost its objects.
     pub fn bind_volumes(&self) -> Result<()> {
         let Some(volumes) = &self.volumes else {
             return Ok(());
@@ -191,11 +193,11 @@ impl VolumeTextures<'_> {
     }
 }
 
-/// In the place of an empty sample: less than every value that a sample may have, as `volume.glsl` knows it. Shaders need
-/// not know what NaN is.
+/// The value of an empty sample in `volume.glsl`. It is less than every value that a sample may have, so that shaders
+/// need no NaN.
 const EMPTY: f32 = -3e38;
 
-/// The samples as the texture has them.
+/// The samples in the form of the texture.
 fn texels(volume: &Volume) -> Cow<'_, [f32]> {
     if !volume.has_empty() {
         return Cow::Borrowed(volume.samples());
@@ -204,7 +206,8 @@ fn texels(volume: &Volume) -> Cow<'_, [f32]> {
     Cow::Owned(volume.samples().iter().map(texel).collect())
 }
 
-/// `count` points of eight numbers, as `volume.glsl` reads them: the last one again and again at infinity.
+/// `count` points of eight numbers, as `volume.glsl` reads them. The list is filled up with the last point, at
+/// infinity.
 fn padded(points: &[TransferPoint], count: usize) -> impl Iterator<Item = f32> + '_ {
     let last = points.last().map(|point| TransferPoint {
         value: f32::INFINITY,

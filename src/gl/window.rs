@@ -1,11 +1,11 @@
-//! Where in the image transparent surfaces may be.
+//! The rectangle of the image in which transparent surfaces may be.
 
 use glam::{DMat4, DVec2};
 
 use crate::scene::{Scene, Volume};
 
-/// A rectangle that holds every transparent vertex and every volume, two pixels wider than computed, which is more than f32 can be off.
-/// The whole image if a vertex lies behind the eye.
+/// A rectangle that holds every transparent vertex and every volume. It is two pixels wider than computed, which is
+/// more than f32's error. It is the whole image if a vertex lies behind the eye.
 pub(super) fn window_of_transparent(
     scene: &Scene,
     view_projection: DMat4,

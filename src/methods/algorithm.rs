@@ -1,4 +1,4 @@
-//! What a method is to the renderer: something that is prepared for a scene, and then draws frames.
+//! A method as the renderer sees it: it is prepared for a scene, and then draws frames.
 
 use super::hanging::Hanging;
 use super::stats::{ABufferCounts, Peeling};
@@ -10,29 +10,29 @@ use crate::steps::Reason;
 
 /// A method at work on one scene.
 pub trait Algorithm {
-    /// Gets what every frame needs: maps, framebuffers. Not part of a frame's time.
+    /// Makes the maps and framebuffers that every frame needs. This is not part of a frame's time.
     ///
     /// # Errors
-    /// What the driver cannot do, and options out of their range.
+    /// If the driver fails, or an option is out of its range.
     fn prepare(&mut self, machine: &mut GlMachine<'_>, scene: &Scene) -> Result<()>;
 
-    /// Draws one frame into [`IMAGE_COLOR`](crate::papers::stage::IMAGE_COLOR). The machine is in GL's initial state, but for the clear colour, which is the
-    /// background's.
+    /// Draws a frame into [`IMAGE_COLOR`](crate::papers::stage::IMAGE_COLOR). The machine is in GL's initial state,
+    /// except for the clear colour, which is the background's.
     ///
     /// # Errors
-    /// What the driver cannot do.
+    /// If the driver fails.
     fn draw(&mut self, machine: &mut GlMachine<'_>, scene: &Scene) -> Result<Drawn>;
 
-    /// Counts what the last frame did or left out, where that takes draws or time that are no part of the method.
+    /// Counts what the last frame did or left out, if that takes draws or time that are not part of the method.
     ///
     /// # Errors
-    /// What the driver cannot do.
+    /// If the driver fails.
     fn account(&mut self, _: &mut GlMachine<'_>, _: &mut Drawn) -> Result<()> {
         Ok(())
     }
 }
 
-/// How a renderer draws, whatever the method.
+/// The renderer's settings for every method.
 #[derive(Clone, Copy, Debug)]
 #[non_exhaustive]
 pub struct Setup {
@@ -40,51 +40,51 @@ pub struct Setup {
     pub color: Format,
     /// The format of every depth buffer.
     pub depth: Format,
-    /// Whether frames contain what is written down for statistics only.
+    /// Whether frames record values that only their statistics need.
     pub counts_costs: bool,
-    /// The scene's camera as it was given, whatever clip planes it is drawn with.
+    /// The scene's camera as it was given. It may be drawn with other clip planes.
     pub given: Camera,
 }
 
-/// What a method has done in a frame.
+/// The result of a method's frame.
 #[derive(Debug, Default)]
 pub struct Drawn {
-    /// Rounds of its loop, the last one included even if it found nothing.
+    /// The rounds of its loop, including the last one even if it found nothing.
     pub iterations: u32,
-    /// Layers that are in the image, or `None` if the method has no layers.
+    /// The layers in the image, or `None` if the method has no layers.
     pub layers: Option<u32>,
     /// Whether each layer is kept in the maps `layer N` and `layer depth N`.
     pub keeps_layers: bool,
-    /// Which fragments are in the image.
+    /// The fragments in the image.
     pub composited: Composited,
-    /// Why its loop ended, or `None` if it has no loop.
+    /// The reason for which its loop ended, or `None` if it has no loop.
     pub stopped: Option<Reason>,
     /// Whether depth peeling was used.
     pub peeling: Peeling,
-    /// What its lists have cost, if it has any.
+    /// The costs of its lists, or `None` if it has none.
     pub a_buffer: Option<ABufferCounts>,
-    /// The image, if it is not in the map [`IMAGE_COLOR`](crate::papers::stage::IMAGE_COLOR).
+    /// The image, or `None` if it is in the map [`IMAGE_COLOR`](crate::papers::stage::IMAGE_COLOR).
     pub image: Option<Image>,
-    /// Which pixels hang on depths that cannot be told apart, if the method has looked.
+    /// The pixels that depend on depths that cannot be told apart, or `None` if the method has not looked for them.
     pub hanging: Option<Hanging>,
 }
 
-/// Which of the transparent fragments are in the image.
+/// The transparent fragments in the image.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Composited {
-    /// All, in whatever order.
+    /// All of them, in any order.
     #[default]
     All,
-    /// So many.
+    /// So many of them.
     Some(u64),
-    /// All but so many.
+    /// All but so many of them.
     AllBut(u64),
     /// The method cannot tell.
     Unknown,
 }
 
 impl Composited {
-    /// How many, as far as that is known.
+    /// The number of fragments, or `None` if it is not known.
     pub(super) fn count(self) -> u64 {
         match self {
             Self::Some(count) => count,

@@ -11,18 +11,18 @@ use crate::scene::Scene;
 use crate::steps;
 use crate::steps::{Call, Dialect, Listing, Variables, Workspace, gl::*, run};
 
-/// A piece of the depth range, and what may be in it.
+/// A piece of the depth range, and the triangles that reach into it.
 pub(super) struct Batch {
-    /// Window depth where it begins, itself included.
+    /// The window depth at which it begins, included.
     pub(super) begin: f32,
-    /// Window depth where it ends, itself excluded; 1 for the last.
+    /// The window depth at which it ends, excluded. It is 1 for the last batch.
     pub(super) end: f32,
-    /// Triangles as mesh and number, in their order.
+    /// The triangles as mesh and number, in their order.
     pub(super) order: Vec<[u32; 2]>,
 }
 
-/// How far a rasterised depth may be from the exact one: f32's rounding, several times over. A triangle too many costs
-/// a little, one too few would be missed.
+/// The largest distance of a rasterised depth from the exact one: several times f32's rounding. A triangle too many
+/// costs a little, but one too few would be missing.
 const SLACK: f64 = 1e-5;
 
 /// Cuts the depth range into at most `count` batches of about equally many triangles, by the middle of each triangle's
@@ -78,7 +78,7 @@ pub(super) fn batches(
         .collect()
 }
 
-/// Window depths between which a triangle lies; everything if it reaches behind the eye.
+/// The window depths between which a triangle lies, or the whole range if it reaches behind the eye.
 fn depth_range(view_projection: DMat4, corners: [crate::scene::Vertex; 3]) -> [f64; 2] {
     let mut range = [f64::INFINITY, f64::NEG_INFINITY];
     for corner in corners {

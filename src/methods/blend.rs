@@ -1,4 +1,4 @@
-//! Blending in the order of submission: what depth peeling corrects (Everitt 2001, figure 1b).
+//! Blending in the order of submission, whose errors depth peeling corrects (Everitt 2001, figure 1b).
 
 use super::algorithm::{Algorithm, Drawn, Setup};
 use super::entry::{Entry, Memory, Ties, Volumes};
@@ -10,7 +10,7 @@ use crate::scene::Scene;
 use crate::steps;
 use crate::steps::{Dialect, Listing, Variables, gl::*, run};
 
-/// Each fragment over what is there already.
+/// Blends each fragment over those before it.
 pub(super) const BLEND_IN_ORDER: Listing = Listing {
     title: "Transparent geometry over whatever came before it",
     source: "Everitt 2001, Introduction",

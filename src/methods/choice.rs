@@ -1,30 +1,30 @@
-//! What can be chosen about a method, by name and in words: for the command line, and for whoever else has no types.
+//! The options of methods by name, with values as text, for the command line and for other callers without types.
 
 use crate::error::{Error, Result};
 
-/// One thing that can be chosen about a method, as it is told to people.
+/// An option of a method, as it is described to people.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Choice {
-    /// Its name, in small letters and hyphens: `occlusion-ratio`.
+    /// The option's name, in small letters and hyphens: `occlusion-ratio`.
     pub name: &'static str,
-    /// What it takes.
+    /// The values that it takes.
     pub takes: Takes,
-    /// What it does, and what is the default.
+    /// Its effect, and its default.
     pub help: &'static str,
 }
 
-/// What a choice takes.
+/// The values of an option.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Takes {
-    /// Nothing: it is chosen or not.
+    /// No value: the option is given or not.
     Nothing,
-    /// A value, which is called so: `N`.
+    /// A value with this name, such as `N`.
     Value(&'static str),
     /// One of these words, each with its meaning.
     Word(&'static [(&'static str, &'static str)]),
 }
 
-/// A choice, and how it is put into a method's options.
+/// An option, and the function that sets it in a method's options.
 pub(super) struct Setter<O: 'static> {
     pub(super) choice: Choice,
     pub(super) set: fn(&mut O, &str) -> Result<()>,
@@ -36,18 +36,18 @@ impl Choice {
     }
 }
 
-/// Several methods have it.
+/// Several methods have this option.
 pub(super) const AS_PRINTED: Choice = Choice {
     name: "as-printed",
     takes: Takes::Nothing,
-    help: "Run the paper's text with nothing amended. Everitt's needs --peels, because it has no way to find out when to \
-           stop; loops that would never end are given up",
+    help: "Run the paper's text without amendments. Everitt's needs --peels, because it cannot find out when to stop. \
+           Loops that would never end are given up",
 };
 
 /// A number.
 ///
 /// # Errors
-/// If the text is none, or out of the type's range.
+/// If the text is not a number, or out of the type's range.
 pub(super) fn number<T: std::str::FromStr>(text: &str) -> Result<T> {
     text.parse().map_err(|_| {
         Error::usage(
@@ -57,10 +57,10 @@ pub(super) fn number<T: std::str::FromStr>(text: &str) -> Result<T> {
     })
 }
 
-/// What a word stands for.
+/// The value of a word.
 ///
 /// # Errors
-/// If it stands for nothing.
+/// If the word is unknown.
 pub(super) fn word<T: Copy>(text: &str, words: &[(&str, T)]) -> Result<T> {
     let found = words.iter().find(|(word, _)| *word == text);
     found.map(|(_, value)| *value).ok_or_else(|| {
@@ -72,7 +72,7 @@ pub(super) fn word<T: Copy>(text: &str, words: &[(&str, T)]) -> Result<T> {
     })
 }
 
-/// Puts a value into its place, if it is one.
+/// Stores a value, or returns its error.
 pub(super) fn set<T>(place: &mut T, value: Result<T>) -> Result<()> {
     *place = value?;
     Ok(())

@@ -1,11 +1,11 @@
-//! Coherent layer peeling (Carr et al. 2008, sections 4 to 6): every iteration composites, at each pixel, a whole run of
-//! surfaces that were submitted in the right order, and what ends the run.
+//! Coherent layer peeling (Carr et al. 2008, sections 4 to 6). At each pixel, every iteration composites a whole run of
+//! surfaces that were submitted in the right order, and the surface that ends the run.
 //!
 //! The listings are [`coherent::VARIANT_A`], which counts with the stencil buffer, and [`coherent::VARIANT_B`], which
-//! moves depths with float blending. Both composite every surface once and in order, whatever the order of submission;
-//! that only decides the number of iterations, from 1 for sorted input to half the number of layers for reversed input.
-//! So triangles are roughly sorted first ([`Sorting`]). Of surfaces at the same depth the first submitted *after that*
-//! lies in front.
+//! moves depths with float blending. Both composite every surface once and in order, for any order of submission. The
+//! order of submission only affects the number of iterations, from 1 for sorted input to half the number of layers for
+//! reversed input. So triangles are first sorted roughly ([`Sorting`]). Of surfaces at the same depth, the one that is
+//! submitted first *after sorting* lies in front.
 
 use super::algorithm::{Algorithm, Composited, Drawn, Setup};
 use super::allocate_maps::allocate_maps;
@@ -25,22 +25,22 @@ use crate::scene::Scene;
 use crate::steps;
 use crate::steps::{Amendment, Dialect, Listing, Variables, run};
 
-/// Which of the paper's two.
+/// The two variants of the paper.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Variant {
-    /// Stencil counting: six geometry passes an iteration (section 5).
+    /// Stencil counting, with six geometry passes per iteration (section 5).
     #[default]
     A,
-    /// Float blending: five (section 6).
+    /// Float blending, with five geometry passes per iteration (section 6).
     B,
 }
 
-/// What can be chosen about coherent layer peeling.
+/// Options of coherent layer peeling.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct CoherentOptions {
     /// Stencil counting or float blending.
     pub variant: Variant,
-    /// How triangles are sorted beforehand.
+    /// The sorting of triangles beforehand.
     pub sorting: Sorting,
     /// An improvement: equal depths do not break a run ([`coherent::TIE_FRIENDLY`]).
     pub tie_friendly: bool,
@@ -49,9 +49,9 @@ pub struct CoherentOptions {
     /// An improvement (section 9, after Wexler et al. 2005): the depth range is cut into so many batches of about equally
     /// many triangles, and each is peeled with the triangles that reach into it. 0 and 1 cut nothing.
     pub batches: u32,
-    /// The paper's listings and prose with nothing amended. Given up when it goes on for too long.
+    /// Whether to run the paper's listings and prose without amendments. A loop that goes on for too long is given up.
     pub as_printed: bool,
-    /// More amendments to the listings that run: what does one changed word do?
+    /// More amendments to the listings that run, to try the effect of a changed word.
     pub amendments: &'static [Amendment],
 }
 
@@ -72,7 +72,7 @@ struct CoherentLayerPeeling {
     order: Vec<[u32; 2]>,
 }
 
-/// The listings with the amendments in place, so that improvements can stand outside of them.
+/// The listings with the amendments applied, so that improvements can be applied on top.
 const AMENDED_A: Listing = amended(steps! { run VARIANT_A amended by &coherent::AMENDMENTS; });
 const AMENDED_B: Listing = amended(steps! { run VARIANT_B amended by &coherent::AMENDMENTS; });
 const BATCH_A: Listing = amended(steps! { run LOOP_A amended by &coherent::AMENDMENTS; });
@@ -129,7 +129,8 @@ impl CoherentLayerPeeling {
         Ok(())
     }
 
-    /// Batch after batch, front to back, each between two depths and with the triangles that reach between them.
+    /// Renders batch after batch, front to back. Each batch lies between two depths and has the triangles that reach
+    /// between them.
     fn draw_batches(
         &self,
         machine: &mut GlMachine<'_>,
@@ -245,8 +246,8 @@ impl Technique for CoherentOptions {
 pub(super) const IMPROVE: Choice = Choice {
     name: "improve",
     takes: Takes::Value("LIST"),
-    help: "Improvements that the paper only points at, separated by commas: tie-friendly, early-stop, batches=N for \
-           variants A and B; tight-bound for the ideal GPU",
+    help: "Improvements that the paper only points at, separated by commas. Variants A and B have tie-friendly, \
+           early-stop and batches=N; the ideal GPU has tight-bound",
 };
 
 /// # Errors

@@ -1,4 +1,4 @@
-//! Depth complexity: how many fragments each pixel has, and their histogram (Lindholm et al. 2015, section 3.1).
+//! Depth complexity: the number of fragments of each pixel, and its histogram (Lindholm et al. 2015, section 3.1).
 
 use super::a_buffer::expect_stencil;
 use super::proxies::proxies;
@@ -10,38 +10,38 @@ use crate::papers::stage;
 use crate::scene::Scene;
 use crate::steps::{Variables, run};
 
-/// How fragments are counted. On llvmpipe the fixed function is over ten times as fast as atomics.
+/// The way to count fragments. On llvmpipe the fixed function is over ten times as fast as atomics.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum CountBy {
     /// Additive blending into a 32-bit float: exact up to 2^24.
     #[default]
     Blending,
-    /// One atomic counter a pixel, as the paper has it.
+    /// One atomic counter per pixel, as the paper has it.
     Atomics,
     /// The stencil buffer: 255 means 255 or more.
     Stencil,
 }
 
-/// The depth complexity image: for each pixel the number of transparent fragments before the opaque surfaces, and of all
-/// fragments of volumes' boxes.
+/// The depth complexity image. It has for each pixel the number of transparent fragments before the opaque surfaces,
+/// plus the number of fragments of volumes' boxes.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Complexity {
     /// Pixels per row.
     pub width: u32,
     /// Rows.
     pub height: u32,
-    /// Row by row from the top.
+    /// The complexities, row by row from the top.
     pub counts: Vec<u32>,
 }
 
 /// A bin of a histogram.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Bin {
-    /// The lowest complexity in it.
+    /// The lowest complexity in the bin.
     pub from: u32,
-    /// The highest.
+    /// The highest complexity in the bin.
     pub to: u32,
-    /// Pixels whose complexity falls within that range.
+    /// The number of pixels whose complexity falls into the bin.
     pub pixels: u64,
 }
 
@@ -51,12 +51,12 @@ impl Complexity {
         self.counts.iter().copied().max().unwrap_or(0)
     }
 
-    /// All fragments.
+    /// The number of all fragments.
     pub fn fragments(&self) -> u64 {
         self.counts.iter().map(|&count| u64::from(count)).sum()
     }
 
-    /// Pixels with any fragment.
+    /// The number of pixels with any fragment.
     pub fn covered(&self) -> u64 {
         self.counts.iter().filter(|&&count| count > 0).count() as u64
     }
@@ -66,8 +66,8 @@ impl Complexity {
         self.covered() as f64 / (self.counts.len().max(1)) as f64
     }
 
-    /// The smallest complexity that `part` of the covered pixels do not exceed, `part` from 0 to 1 (nearest rank); 0 if
-    /// none is covered.
+    /// The smallest complexity that `part` of the covered pixels do not exceed (nearest rank). `part` is from 0 to 1.
+    /// The result is 0 if no pixel is covered.
     pub fn percentile(&self, part: f64) -> u32 {
         let mut covered: Vec<u32> = self.counts.iter().copied().filter(|&c| c > 0).collect();
         covered.sort_unstable();
@@ -75,7 +75,7 @@ impl Complexity {
         covered.get(rank.max(1) - 1).copied().unwrap_or(0)
     }
 
-    /// The part of the covered pixels with a complexity of at most `limit`, 0 to 1; 1 if none is covered.
+    /// The part of the covered pixels with a complexity of at most `limit`, 0 to 1. It is 1 if no pixel is covered.
     pub fn part_up_to(&self, limit: u32) -> f64 {
         let within = self.counts.iter().filter(|&&c| c > 0 && c <= limit).count() as f64;
         match self.covered() {
@@ -84,8 +84,8 @@ impl Complexity {
         }
     }
 
-    /// The depth complexity histogram: bin `k` holds the complexities from `k * bin` to `(k + 1) * bin - 1`; the last is
-    /// the maximum's. With `bin` 1 there is a bin for every complexity. 0 is taken as 1.
+    /// The depth complexity histogram. Bin `k` holds the complexities from `k * bin` to `(k + 1) * bin - 1`, and the
+    /// last bin holds the maximum. If `bin` is 1, there is a bin for every complexity. 0 is taken as 1.
     pub fn histogram(&self, bin: u32) -> Vec<Bin> {
         let bin = bin.max(1);
         let mut bins: Vec<Bin> = (0..=self.max() / bin)
@@ -106,7 +106,7 @@ impl Renderer<'_> {
     /// Counts every pixel's transparent fragments.
     ///
     /// # Errors
-    /// What the driver cannot do.
+    /// If the driver fails.
     pub fn complexity(&mut self, scene: &Scene, by: CountBy) -> Result<Complexity> {
         let _visit = self.machine.context().visit()?;
         self.set_up(scene)?;

@@ -1,11 +1,11 @@
-//! Coplanar surfaces: the policy, and a detector of methods that do not keep it.
+//! Coplanar surfaces: the policy, and a detector of methods that break it.
 //!
 //! # The policy
 //!
-//! Of fragments of one pixel with exactly equal depths, **what was submitted first lies in front**; and an opaque
-//! surface hides what lies exactly on it. The order of submission is that of the scene's meshes, and within a mesh that
-//! of its triangles. This holds everywhere in onionskin: [`oracle`](crate::oracle) sorts by it, and it is what the
-//! images of the exact methods are held against.
+//! Of fragments of a pixel with exactly equal depths, **the one that was submitted first lies in front**. An opaque
+//! surface hides what lies exactly on it. The order of submission is the order of the scene's meshes, and within a mesh
+//! the order of its triangles. This holds everywhere in onionskin: the [`oracle`](crate::oracle) sorts by it, and the
+//! images of the exact methods are compared with the oracle's.
 //!
 //! <!-- methods: generated from the registry -->
 //! | fragments of equal depth | methods |
@@ -22,8 +22,8 @@
 //! # The detector
 //!
 //! [`shown`] does not ask a method what it has done. It renders the scene with every fragment black and equally
-//! translucent over white: what light is left at a pixel then says how many fragments are in the way, for `n` of them
-//! let `(1 - a)^n` through, in whatever order. Fewer than were drawn, and some were dropped or merged.
+//! translucent over white. The light that is left at a pixel then gives the number of fragments in the image, because
+//! `n` fragments let `(1 - a)^n` through in any order. If they are fewer than were drawn, some were dropped or merged.
 
 use super::allocate_maps::allocate_maps;
 use super::renderer::Renderer;
@@ -35,17 +35,17 @@ use crate::papers::stage::{self, OPAQUE_DEPTH, OPAQUE_FIRST};
 use crate::scene::{Scene, Shading};
 use crate::steps::{Variables, run};
 
-/// How many fragments there are and how many a method shows, pixel by pixel, row by row from the top.
+/// The number of fragments of each pixel, and the number that a method shows, row by row from the top.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Shown {
-    /// Transparent fragments before the opaque depth, each drawn into a list.
+    /// The number of transparent fragments before the opaque depth, counted by lists.
     pub submitted: Vec<u32>,
-    /// How many of them the image shows.
+    /// The number of them that the image shows.
     pub shown: Vec<u32>,
 }
 
 impl Shown {
-    /// Fragments that were dropped, or merged with another.
+    /// The number of fragments that were dropped, or merged with another.
     pub fn missing(&self) -> u64 {
         let pairs = self.submitted.iter().zip(&self.shown);
         pairs
@@ -53,7 +53,7 @@ impl Shown {
             .sum()
     }
 
-    /// Fragments that are in the image more often than once.
+    /// The number of fragments that are in the image more than once.
     pub fn doubled(&self) -> u64 {
         let pairs = self.submitted.iter().zip(&self.shown);
         pairs
@@ -62,13 +62,13 @@ impl Shown {
     }
 }
 
-/// Renders the scene, painted, and counts. Depths are 32-bit floats, or as `depth` says.
+/// Renders the scene, painted, and counts. Depths have the format `depth`.
 ///
 /// With colours in 32-bit float the count is right for any number of fragments up to some thousands at a pixel: the
-/// fragments' opacity is chosen so that about 1/e of the light is left where they are most.
+/// opacity is chosen so that about 1/e of the light is left at the deepest pixel.
 ///
 /// # Errors
-/// What the method or the driver cannot do.
+/// If the method or the driver fails.
 pub fn shown(
     context: &Context,
     scene: &Scene,
@@ -80,7 +80,7 @@ pub fn shown(
     let alpha = 1.0 / (most + 1) as f32;
     let [width, height] = scene.size;
     let renderer = Renderer::new(context, width, height)?.with_formats(Format::Rgba32F, depth);
-    // What depths are held between is part of what is studied.
+    // The clip planes affect the result, so the camera's own are taken.
     let mut renderer = renderer.with_given_planes();
     let image = renderer.render(&painted(scene, alpha), method)?.image;
     let through_one = f64::from(1.0 - alpha).ln();
@@ -95,7 +95,7 @@ pub fn shown(
     })
 }
 
-/// How many fragments each pixel has.
+/// The number of fragments of each pixel.
 fn submitted(context: &Context, scene: &Scene) -> Result<Vec<u32>> {
     const AT_A_TIME: u32 = 2 << 20;
     let [width, height] = scene.size;
@@ -118,7 +118,7 @@ fn submitted(context: &Context, scene: &Scene) -> Result<Vec<u32>> {
     Ok(counts)
 }
 
-/// The scene in black of one opacity over white; what is opaque is white.
+/// The scene in black, with a single opacity, over white. Opaque surfaces are white.
 fn painted(scene: &Scene, alpha: f32) -> Scene {
     let mut scene = scene.clone();
     scene.background = [1.0; 3];

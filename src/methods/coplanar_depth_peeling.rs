@@ -1,8 +1,8 @@
 //! Depth peeling that loses no coplanar fragment (after Vasilakis and Fudos 2013).
 //!
-//! [`COPLANAR_PEELING`] is the algorithm: two geometry passes a layer, one that finds its depth and one that takes every
-//! fragment there, in the order of submission. So it costs up to twice what plain depth peeling does; the second pass
-//! is the cheaper one, because its depth test is EQUAL.
+//! [`COPLANAR_PEELING`] is the algorithm. A layer takes two geometry passes: one finds its depth, and one takes every
+//! fragment at that depth, in the order of submission. So it costs up to twice as much as plain depth peeling. The
+//! second pass is the cheaper one, because its depth test is EQUAL.
 //!
 //! Excludes: multisampling; depths at or beyond the far plane, which GL clips.
 
@@ -22,10 +22,10 @@ use crate::papers::vasilakis_2013::{COPLANAR_PEELING, RESOURCES};
 use crate::scene::Scene;
 use crate::steps::{DepthUnits, Reason, Variables, run};
 
-/// What can be chosen about it.
+/// Options of coplanar depth peeling.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct CoplanarDepthPeelingOptions {
-    /// The loop ends after so many peels; 0, the default, is no limit.
+    /// The loop ends after so many peels. 0, the default, means no limit.
     pub maximum_number_of_peels: u32,
 }
 
@@ -33,14 +33,14 @@ struct CoplanarDepthPeeling {
     options: CoplanarDepthPeelingOptions,
     color: Format,
     depth: Format,
-    /// How many peels a loop without a limit may need.
+    /// The number of peels that a loop without a limit may need.
     bound: f64,
 }
 
 impl Algorithm for CoplanarDepthPeeling {
     fn prepare(&mut self, machine: &mut GlMachine<'_>, _: &Scene) -> Result<()> {
         requirements::check(machine.context().driver(), self.color)?;
-        // Rounded depths may peel the same layer for ever.
+        // With rounded depths, the same layer may be peeled for ever.
         if self.options.maximum_number_of_peels == 0 && !self.depth.has_float_depth() {
             self.bound = iteration_bound(machine)?;
         }
@@ -75,7 +75,7 @@ impl Algorithm for CoplanarDepthPeeling {
             iterations: number("peels") as u32,
             layers: Some(number("num_layers") as u32),
             composited: match stopped {
-                // Layers have been counted more often than once.
+                // Layers have been counted more than once.
                 Reason::NoEnd => Composited::Unknown,
                 _ => Composited::Some(number("composited") as u64),
             },

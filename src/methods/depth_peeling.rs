@@ -1,9 +1,10 @@
 //! Depth peeling (Everitt 2001), bounded, stopped and composited as VTK's page describes.
 //!
-//! The loop is Everitt's [Listing 1](LISTING_1); [`vtk::KEEP_LAYERS`] and [`vtk::ON_THE_FLY`] say what is around it.
-//! Each pass peels away what lies at or before the previous layer and lets an ordinary depth test find the nearest of
-//! what is left. So a layer holds *one* fragment of each depth ("each unique depth"): of several fragments of a pixel
-//! with exactly the same depth the first submitted is kept and the others are lost. The frame says how many.
+//! The loop is Everitt's [Listing 1](LISTING_1); [`vtk::KEEP_LAYERS`] and [`vtk::ON_THE_FLY`] are the algorithms around
+//! it. Each pass peels away the fragments at or before the previous layer, and an ordinary depth test finds the nearest
+//! of the others. So a layer holds *one* fragment of each depth ("each unique depth"). Of several fragments of a pixel
+//! with exactly the same depth, the one submitted first is kept and the others are lost. The frame says how many are
+//! lost.
 //!
 //! Excludes: multisampling; depths at or beyond the far plane, which GL clips.
 
@@ -26,35 +27,35 @@ use crate::steps::{
     Amendment, Call, DepthUnits, Listing, Machine, Outcome, Reason, Variables, run,
 };
 
-/// How layers become an image.
+/// The way in which layers become an image.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Compositing {
-    /// Each layer goes under those before it as soon as it is there; none is kept.
+    /// Each layer goes under those before it as soon as it is found. No layer is kept.
     #[default]
     OnTheFly,
-    /// Every layer is kept with its depth, and the frame has them; composited back to front at the end. Memory grows
-    /// with the number of layers.
+    /// Every layer is kept with its depth, and the frame has the layers. They are composited back to front at the end.
+    /// Memory grows with the number of layers.
     KeepLayers,
 }
 
-/// What can be chosen about depth peeling.
+/// Options of depth peeling.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct DepthPeelingOptions {
-    /// The loop ends after so many peels; 0 is VTK's 'no limit', and the default: the image is exact. VTK's documents
-    /// say so of 0 too, and its single pass keeps to it; the dual pass that is its default (9.7.2) peels nothing then.
-    /// The default there is 4.
+    /// The loop ends after so many peels. 0, the default, means no limit, so that the image is exact. VTK documents 0
+    /// in the same way, and its single pass conforms to that, but its dual pass, which is its default (9.7.2), then
+    /// peels nothing. VTK's default is 4.
     pub maximum_number_of_peels: u32,
-    /// The loop ends after a peel that changed fewer pixels than this part of the image, 0 to 1. 0, the default, is
-    /// exact; that last peel is still composited.
+    /// The loop ends after a peel that changed fewer pixels than this part of the image, 0 to 1. That last peel is
+    /// still composited. 0, the default, is exact.
     pub occlusion_ratio: f64,
-    /// How layers become an image.
+    /// The way in which layers become an image.
     pub compositing: Compositing,
-    /// Listing 1 and the blending function with nothing amended: everything, opaque or not, is peeled by every one of
-    /// `maximum_number_of_peels` passes, of which there must then be at least one.
+    /// Whether to run Listing 1 and the blending function without amendments. All objects, opaque or not, are then
+    /// peeled in `maximum_number_of_peels` passes, which must be at least one.
     pub as_printed: bool,
-    /// What peels: depth unit 0 as OpenGL has it today, or as it was made in 2001.
+    /// Depth unit 0, which peels: as OpenGL has it today, or as it was made in 2001.
     pub depth_unit_0: DepthUnit0,
-    /// More amendments to the listings that run: what does one changed word do?
+    /// More amendments to the listings that run, to try the effect of a changed word.
     pub amendments: &'static [Amendment],
 }
 
@@ -69,7 +70,7 @@ struct DepthPeeling {
     options: DepthPeelingOptions,
     color: Format,
     depth: Format,
-    /// How many peels a loop without a limit may need.
+    /// The number of peels that a loop without a limit may need.
     bound: f64,
 }
 
@@ -151,8 +152,8 @@ impl DepthPeeling {
         expect_known(self.listing(), amendments, &resources)
     }
 
-    /// Whether a fragment may pass the comparison with its own depth, again and again: where it is not the rasteriser's
-    /// depth that is compared, or where what was stored has been rounded.
+    /// Whether a fragment may pass the comparison with its own depth again and again. This is possible if the compared
+    /// depth is not the rasteriser's, or if the stored depth was rounded.
     fn may_get_stuck(&self) -> bool {
         self.options.depth_unit_0 != DepthUnit0::Sampler || !self.depth.has_float_depth()
     }
@@ -199,8 +200,8 @@ impl DepthPeeling {
     }
 }
 
-/// What Listing 1 takes for granted: the image has its background, the scene has a program, and a cleared layer
-/// covers nothing.
+/// The state that Listing 1 takes for granted: the image has its background, the scene has a program, and a cleared
+/// layer covers nothing.
 const AS_PRINTED_AROUND: [Call; 5] = [
     Call::BindFramebuffer {
         framebuffer: stage::COMPOSITE,
@@ -291,7 +292,7 @@ impl Technique for DepthPeelingOptions {
 pub(super) const PEELS: Choice = Choice {
     name: "peels",
     takes: Takes::Value("N"),
-    help: "At most this many peels, nearest first; 0 means no limit, as VTK documents it [default: 0]",
+    help: "At most this many peels, nearest first. 0 means no limit, as VTK documents it [default: 0]",
 };
 
 pub(super) const OCCLUSION_RATIO: Choice = Choice {
@@ -313,11 +314,11 @@ const DEPTH_UNIT_0: Choice = Choice {
         ("classic", "r/q, compared into alpha"),
         (
             "classic-depth-replace",
-            "The same, and r/q is what is stored",
+            "The same, with r/q stored as the depth",
         ),
     ]),
-    help: "What peels: a shadow sampler, or the alpha test of 2001 with or without Listing 2's depth replace [default: \
-           sampler]",
+    help: "Depth unit 0, which peels: a shadow sampler, or the alpha test of 2001 with or without Listing 2's depth \
+           replace [default: sampler]",
 };
 
 impl Published for DepthPeelingOptions {

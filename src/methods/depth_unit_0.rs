@@ -1,4 +1,4 @@
-//! Depth unit 0, which peels: the ways in which it has been made, and those of the invariance experiment.
+//! Depth unit 0, which peels, in its historical forms and in those of the invariance experiment.
 
 use crate::error::Result;
 use crate::gl::GlMachine;
@@ -7,34 +7,34 @@ use crate::steps::{
     Amendment, ClassicDepthUnits, DepthUnits, Listing, Outcome, Shader, Variables, run,
 };
 
-/// What performs Listing 1's depth unit 0.
+/// The form of Listing 1's depth unit 0.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum DepthUnit0 {
-    /// A shadow sampler, which compares the rasteriser's own window z: the OpenGL of today, and nothing varies.
+    /// A shadow sampler, which compares the rasteriser's own window z, as in the OpenGL of today.
     #[default]
     Sampler,
     /// As in 2001: a projective shadow lookup compares r/q, its result goes into alpha, and the alpha test discards.
     Classic,
-    /// The same with Listing 2: what is stored is r/q as well.
+    /// The same with Listing 2, so that the stored depth is also r/q.
     ClassicDepthReplace,
-    /// One way of the invariance experiment.
+    /// A form of the invariance experiment.
     Trial(Trial),
 }
 
-/// One way to compare depths.
+/// A way to compare depths.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Trial {
-    /// What the depth buffer holds.
+    /// The depth that is stored.
     pub stored: DepthSource,
-    /// What is compared with it.
+    /// The depth that is compared with it.
     pub compared: DepthSource,
-    /// What compares.
+    /// The place of the comparison.
     pub place: Place,
     /// A fragment is peeled away unless it lies behind the stored depth by more than this: the 'fudge factor'.
     pub bias: f32,
 }
 
-/// Where a depth comes from.
+/// The source of a depth.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum DepthSource {
     /// The rasteriser: interpolated linearly in window space.
@@ -44,7 +44,7 @@ pub enum DepthSource {
     Quotient,
 }
 
-/// Where depths are compared.
+/// The place at which depths are compared.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Place {
     /// `GL_TEXTURE_COMPARE_FUNC`
@@ -52,7 +52,7 @@ pub enum Place {
     Sampler,
     /// The shader, as 32-bit floats.
     Shader,
-    /// The shader, both sides rounded to a fixed-point depth of so many bits, at most 24.
+    /// The shader, with both sides rounded to a fixed-point depth of so many bits, at most 24.
     ShaderInBits(u32),
 }
 

@@ -1,10 +1,10 @@
-//! Dual depth peeling (Bavoil and Myers 2008): a layer from the front and one from the back in every pass.
+//! Dual depth peeling (Bavoil and Myers 2008), which peels a layer from the front and one from the back in every pass.
 //!
 //! [`DUAL_DEPTH_PEELING`] is the algorithm. A scene of N layers takes N/2 peels, rounded up, and one pass before them
-//! that finds the first depths: N/2 + 1 geometry passes. The depths are 32-bit floats in a colour target, whatever the
-//! format of the depth buffer, so a fixed-point depth buffer does it no harm.
+//! that finds the first depths: N/2 + 1 geometry passes. The depths are 32-bit floats in a colour target for every
+//! format of the depth buffer, so a fixed-point depth buffer does no harm.
 //!
-//! Fragments of equal depth are all in the image, in the order of submission; the paper, which blends colours by MAX,
+//! All fragments of equal depth are in the image, in the order of submission. The paper blends colours by MAX, which
 //! would merge them.
 //!
 //! Excludes: multisampling; depths at or beyond the far plane, which GL clips.
@@ -25,15 +25,15 @@ use crate::papers::stage;
 use crate::scene::Scene;
 use crate::steps::{Amendment, Machine, Reason, Variables, run};
 
-/// What can be chosen about dual depth peeling.
+/// Options of dual depth peeling.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct DualDepthPeelingOptions {
-    /// The loop ends after so many peels, each of which takes two layers; 0, the default, is no limit. What is left
-    /// then lies in the middle, and is left out. (VTK documents 0 as 'no limit' too, but peels nothing then; what its
-    /// dual pass leaves it blends unsorted.)
+    /// The loop ends after so many peels, each of which takes two layers. 0, the default, means no limit. The layers
+    /// that are left over lie in the middle, and are left out. (VTK also documents 0 as 'no limit', but then peels
+    /// nothing. It blends the layers that its dual pass leaves over without sorting them.)
     pub maximum_number_of_peels: u32,
-    /// The loop ends after a peel that changed fewer pixels than this part of the image, 0 to 1. 0, the default, is
-    /// exact; that last peel is still composited.
+    /// The loop ends after a peel that changed fewer pixels than this part of the image, 0 to 1. That last peel is
+    /// still composited. 0, the default, is exact.
     pub occlusion_ratio: f64,
     /// Amendments to the listings that run.
     pub amendments: &'static [Amendment],
@@ -42,7 +42,7 @@ pub struct DualDepthPeelingOptions {
 struct DualDepthPeeling {
     options: DualDepthPeelingOptions,
     color: Format,
-    /// The variables at the end of the last frame, which say where what is left can be found.
+    /// The variables at the end of the last frame, by which the fragments that are left can be counted.
     end: Variables,
 }
 
@@ -98,7 +98,7 @@ impl Algorithm for DualDepthPeeling {
         })
     }
 
-    /// What lies between the depths of the peel that was not made.
+    /// The number of fragments between the depths of the peel that was not made.
     fn account(&mut self, machine: &mut GlMachine<'_>, drawn: &mut Drawn) -> Result<()> {
         if drawn.composited == Composited::Unknown {
             run(

@@ -1,40 +1,40 @@
-//! What there is to know about a method before it runs.
+//! The facts about a method that are known before it runs.
 
 use std::fmt;
 
 use crate::gl::Driver;
 
-/// What there is to know about a method before it runs.
+/// The facts about a method that are known before it runs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Entry {
-    /// Its name on the command line.
+    /// The method's name on the command line.
     pub name: &'static str,
-    /// Where it is published.
+    /// The publication.
     pub source: &'static str,
-    /// Whether its image is exact when nothing stops it early, but for the rounding of the colours it keeps: of surfaces.
+    /// Whether its image of surfaces is exact if nothing stops it early, up to the rounding of stored colours.
     pub exact: bool,
-    /// Whether it is exact, of surfaces and of volumes, in words, with what limits it.
+    /// Whether it is exact for surfaces and for volumes, in words, with its limits.
     pub exactness: &'static str,
-    /// What becomes of fragments of equal depth.
+    /// The order of fragments of equal depth.
     pub ties: Ties,
-    /// What its memory grows with.
+    /// The quantities with which its memory grows.
     pub memory: Memory,
     /// Whether and how it renders volumes.
     pub volumes: Volumes,
-    /// What it keeps of a pixel that has more fragments than its array has room for ([`Keep`](super::Keep)), or `None` if
-    /// it has no array that could be too small.
+    /// The fragments that a full array keeps ([`Keep`](super::Keep)), or `None` if it has no array that could be too
+    /// small.
     pub keeps: Option<&'static str>,
-    /// Extensions beyond OpenGL 4.3 of which it needs one; empty if it needs none.
+    /// Extensions beyond OpenGL 4.3. The method needs one of them, or none if the list is empty.
     pub needs: &'static [&'static str],
 }
 
 impl Entry {
-    /// Whether a driver offers what it needs.
+    /// Whether the method runs on a driver.
     pub fn runs_on(&self, driver: &Driver) -> bool {
         self.needs.is_empty() || self.needs.iter().any(|extension| driver.has(extension))
     }
 
-    /// Whether it is exact of volumes, too: a ray takes the samples that the oracle's takes, while slices have an error of
+    /// Whether it is exact for volumes. A ray takes the same samples as the oracle's, while slices have an error of
     /// order 1 in their distance. `None` if it renders no volumes.
     pub fn exact_volumes(&self) -> Option<bool> {
         match self.volumes {
@@ -49,21 +49,21 @@ pub(super) const EXACT_BUT_NOT_SLICES: &str =
     "yes; volumes as slices: no, an error of order 1 in the slices' distance";
 pub(super) const EXACT_BY_RAYS: &str = "yes, volumes by rays, too";
 
-/// What becomes of fragments of one pixel that have exactly the same depth.
+/// The order of fragments of a pixel that have exactly the same depth.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Ties {
-    /// All are in the image, what was submitted first in front.
+    /// All are in the image. The one submitted first lies in front.
     InOrder,
     /// All are in the image, each over those drawn before it.
     OverEarlier,
     /// All are in the image, in the order in which they are drawn after sorting.
     InOrderAfterSorting,
-    /// All are in the image, those of unsorted meshes in front.
+    /// All are in the image. Those of unsorted meshes lie in front.
     UnsortedFirst,
-    /// The first submitted is in the image; the others are lost, and counted.
+    /// The first submitted is in the image. The others are lost, and counted.
     FirstKept,
-    /// All are in the image, and their order makes no difference to it.
+    /// All are in the image, which does not depend on their order.
     Unordered,
 }
 
@@ -80,7 +80,7 @@ impl fmt::Display for Ties {
     }
 }
 
-/// What a method's memory grows with.
+/// The quantities with which a method's memory grows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Memory {
@@ -116,22 +116,23 @@ impl fmt::Display for Memory {
 pub enum Volumes {
     /// Not at all: scenes with volumes are refused.
     Refused,
-    /// As slices, if it is asked to ([`Renderer::with_slices`](super::Renderer::with_slices)); otherwise scenes with
-    /// volumes are refused.
+    /// As slices, if the caller asks for them ([`Renderer::with_slices`](super::Renderer::with_slices)). Otherwise
+    /// scenes with volumes are refused.
     SlicesWhenAsked,
-    /// As slices, asked or not.
+    /// As slices, by default.
     Slices,
     /// By rays through them.
     Rays,
 }
 
 impl Volumes {
-    /// Whether they are rendered without anybody asking for slices.
+    /// Whether volumes are rendered if the caller does not ask for slices.
     pub const fn are_rendered(self) -> bool {
         matches!(self, Self::Slices | Self::Rays)
     }
 
-    /// Whether they can be drawn as slices: by whatever draws surfaces in an order that is more than that of submission.
+    /// Whether volumes can be drawn as slices. Methods can do so that draw surfaces in another order than that of
+    /// submission.
     pub const fn take_slices(self) -> bool {
         matches!(self, Self::Slices | Self::SlicesWhenAsked)
     }

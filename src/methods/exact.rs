@@ -1,9 +1,9 @@
 //! The exact image: every fragment read back, found on its pixel's ray, sorted and composited by the
 //! [oracle](crate::oracle) in f64.
 //!
-//! Which triangles cover a pixel, and their colours there, are the driver's, so that an image can be compared pixel by
-//! pixel. Everything after it is not: how far away they are, which is in front, what is coplanar, what an opaque surface
-//! hides. Volumes are sampled between the surfaces and take no part in the rasterisation.
+//! The driver determines which triangles cover a pixel, and their colours there, so that images can be compared pixel
+//! by pixel. The oracle determines everything else: the triangles' distances, their order, which of them are coplanar,
+//! and which an opaque surface hides. Volumes are sampled between the surfaces and are not rasterised.
 
 use std::thread;
 
@@ -22,10 +22,10 @@ use crate::papers::stage::OPAQUE_DEPTH;
 use crate::scene::{Camera, Scene};
 use crate::steps::{Compare, Objects};
 
-/// Fragments in memory at a time: 64 MiB of them.
+/// The number of fragments in memory at a time, which take 64 MiB.
 const AT_A_TIME: u32 = 2 << 20;
 
-/// What a pixel's channel may be off by that hangs on nothing: what methods in 32-bit float are held to.
+/// The largest change of a channel that does not count as depending on depths: the bound for methods in 32-bit float.
 const BOUND: f64 = 1e-5;
 
 /// The exact image, which has no options.
@@ -75,11 +75,11 @@ impl Algorithm for ExactImage {
     }
 }
 
-/// A pixel's colour, and whether it hangs on what the depth buffer as drawn and as given cannot hold.
+/// A pixel's colour, and whether it depends on differences that the depth buffer as drawn, and as given, cannot hold.
 type Pixel = ([f32; 4], [bool; 2]);
 
 impl ExactImage {
-    /// Gives one pixel of a piece to the oracle.
+    /// Gives a pixel of a piece to the oracle.
     fn pixel(
         &self,
         scene: &Scene,
@@ -108,7 +108,7 @@ struct Lists {
 }
 
 impl Lists {
-    /// A counting sort by pixel: where each pixel's fragments end, then the fragments at their places.
+    /// A counting sort by pixel: the end of each pixel's fragments, then the fragments at their places.
     fn of(piece: Piece, captured: &[CapturedFragment]) -> Self {
         let width = piece.width as usize;
         let pixel_of = |fragment: &CapturedFragment| {
@@ -163,7 +163,8 @@ impl Lists {
     }
 }
 
-/// The image so far, bottom row first; what hangs on depths, top row first as images are.
+/// The image so far, with the bottom row first, and the pixels that depend on depths, with the top row first, as in
+/// images.
 struct Canvas {
     size: [u32; 2],
     colors: Vec<[f32; 4]>,
@@ -211,7 +212,7 @@ fn every<T: Send>(count: usize, result: impl Fn(usize) -> T + Sync) -> Vec<T> {
             })
             .collect();
         let parts = parts.into_iter().map(|part| part.join());
-        // A panic in a part goes on here.
+        // A panic in a part is passed on.
         parts
             .flat_map(|part| part.unwrap_or_else(|panic| std::panic::resume_unwind(panic)))
             .collect()

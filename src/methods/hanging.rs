@@ -1,13 +1,15 @@
-//! Pixels whose colour hangs on a difference of depth that a depth buffer cannot hold.
+//! Pixels whose colour depends on a difference of depth that a depth buffer cannot hold.
 
-/// Which pixels of an exact image hang on such a difference, row by row from the top: two surfaces lie so near to each
-/// other there that a rasteriser may see them in either order, and it shows.
+/// For each pixel of an exact image, whether it depends on such a difference, row by row from the top. At such a pixel,
+/// two surfaces are so near to each other that a rasteriser may see them in either order, and the order makes a visible
+/// difference.
 ///
-/// Where a picture differs from the exact one only in such pixels, its renderer is right as far as its depth buffer goes.
+/// If a picture differs from the exact one only in such pixels, its renderer is as right as its depth buffer allows.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Hanging {
-    /// With the clip planes that methods are drawn with: [`Renderer::with_given_planes`](super::Renderer::with_given_planes).
+    /// With the clip planes with which methods are drawn:
+    /// [`Renderer::with_given_planes`](super::Renderer::with_given_planes).
     pub drawn: Vec<bool>,
-    /// With the clip planes of the scene's camera, which another renderer may take as they are.
+    /// With the clip planes of the scene's camera, which another renderer may use unchanged.
     pub given: Vec<bool>,
 }

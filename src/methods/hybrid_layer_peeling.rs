@@ -1,12 +1,12 @@
-//! Hybrid layer peeling (Carr et al. 2008, Algorithm 1): unsorted meshes are peeled, and between two peels the sorted
-//! ones are composited in one go.
+//! Hybrid layer peeling (Carr et al. 2008, Algorithm 1). Unsorted meshes are peeled, and between two peels the sorted
+//! meshes are composited in one go.
 //!
-//! Sorted are the meshes that the scene says are ([`Mesh::sorted`](crate::scene::Mesh::sorted)); the number of
-//! iterations depends on the others alone. Of surfaces at the same depth, unsorted ones come before sorted ones.
+//! The scene says which meshes are sorted ([`Mesh::sorted`](crate::scene::Mesh::sorted)). The number of iterations
+//! depends only on the other meshes. At the same depth, unsorted surfaces come before sorted ones.
 //!
-//! Volumes become sorted meshes, too: planes across the view, what Carr et al. have in their figure 1. A slice stands for
-//! a slab as a whole, so that where a surface is in a slab, or a ray enters or leaves a volume there, up to half of it is
-//! on the wrong side; the error of the image falls with the number of slices.
+//! Volumes also become sorted meshes: planes across the view, as in figure 1 of Carr et al. A slice stands for a whole
+//! slab. If a surface is in a slab, or a ray enters or leaves a volume there, up to half of the slab is on the wrong
+//! side. So the error of the image falls with the number of slices.
 
 use super::algorithm::{Algorithm, Drawn, Setup};
 use super::allocate_maps::allocate_maps;

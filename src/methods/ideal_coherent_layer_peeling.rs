@@ -1,7 +1,7 @@
-//! The ideal GPU's coherent layer peeling (Carr et al. 2008, Algorithm 2): two geometry passes an iteration.
+//! Coherent layer peeling on the ideal GPU (Carr et al. 2008, Algorithm 2), with two geometry passes per iteration.
 //!
-//! It asks for a rasteriser whose shaders read and write several buffers in the order of submission. Drivers with
-//! `GL_EXT_shader_framebuffer_fetch` (Mesa's llvmpipe) have one, and drivers with `GL_ARB_fragment_shader_interlock`
+//! It needs a rasteriser whose shaders read and write several buffers in the order of submission. Drivers with
+//! `GL_EXT_shader_framebuffer_fetch` (Mesa's llvmpipe) have one. Drivers with `GL_ARB_fragment_shader_interlock`
 //! (NVIDIA's, Intel's) have one by images. The paper's pseudocode itself runs on the emulated pixel.
 
 use super::algorithm::{Algorithm, Composited, Drawn, Setup};
@@ -21,26 +21,26 @@ use crate::steps::{Format, Resources, run};
 const FETCH: &str = "GL_EXT_shader_framebuffer_fetch";
 const INTERLOCK: &str = "GL_ARB_fragment_shader_interlock";
 
-/// How a shader gets at the buffers.
+/// The way in which a shader accesses the buffers.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum BufferAccess {
-    /// By fetching the framebuffer if the driver can, otherwise by interlocked images.
+    /// By framebuffer fetch if the driver has it, otherwise by interlocked images.
     #[default]
     Best,
-    /// By images in any case. Without an interlock nothing promises the order of submission; llvmpipe keeps it.
+    /// By images in any case. Without an interlock, the order of submission is not guaranteed, but llvmpipe keeps it.
     Images,
 }
 
-/// What can be chosen about it.
+/// Options of coherent layer peeling on the ideal GPU.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct IdealOptions {
-    /// How triangles are sorted beforehand.
+    /// The sorting of triangles beforehand.
     pub sorting: Sorting,
     /// An improvement: an unbroken run ends at the loose bound `z2` ([`ideal::TIGHT_BOUND`]).
     pub tight_bound: bool,
-    /// Algorithm 2 with nothing amended. Given up when it goes on for too long.
+    /// Whether to run Algorithm 2 without amendments. A loop that goes on for too long is given up.
     pub as_printed: bool,
-    /// How its buffers are read and written.
+    /// The way in which its buffers are read and written.
     pub access: BufferAccess,
 }
 
@@ -112,7 +112,7 @@ impl Algorithm for IdealCoherentLayerPeeling {
         }
         let outcome = run(&ideal::IDEAL, &amendments, self.peeled.variables(), machine)?;
         Ok(Drawn {
-            // Its shaders composite without blending or discarding, so no query tells.
+            // Its shaders composite without blending or discarding, so no query can count.
             composited: match self.options.as_printed {
                 true => Composited::Unknown,
                 false => Composited::All,

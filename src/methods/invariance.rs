@@ -1,10 +1,10 @@
-//! The invariance experiment: what becomes of depth peeling when what is stored and what is compared are not computed in
-//! the same way (Everitt 2001, "An Invariance Issue").
+//! The invariance experiment: depth peeling in which the stored and the compared depths are computed in different ways
+//! (Everitt 2001, "An Invariance Issue").
 //!
-//! A [`Trial`] says what is stored, what is compared with it, where, and by which margin; a [`Finding`] says what it
-//! cost, pixel by pixel, against the exact image. A pixel can go wrong in three ways: it *misses* fragments, because
-//! the comparison skips them; it *doubles* some, because a fragment passes the comparison with itself; and it gets
-//! *stuck*, because one goes on doing so, and then no layer is ever empty and the loop does not end.
+//! A [`Trial`] says which depth is stored, which is compared with it, where, and with which bias. A [`Finding`] has the
+//! errors, pixel by pixel, relative to the exact image. A pixel can go wrong in three ways. It *misses* fragments that
+//! the comparison skips. It *doubles* fragments that pass the comparison with themselves. It gets *stuck* if a fragment
+//! does so for ever; then no layer is ever empty, and the loop does not end.
 
 use glam::DVec3;
 
@@ -19,11 +19,11 @@ use crate::scene::generate::{Soup, soup};
 use crate::scene::{Camera, Scene};
 use crate::steps::Reason;
 
-/// An exact method is this near to the exact image: f32 colours composited in at most 64 roundings of 2^-24 each, and
-/// some more.
+/// The largest error of an exact method: f32 colours are composited in at most 64 roundings of 2^-24 each, with some
+/// reserve.
 const EXACT: f64 = 1e-5;
 
-/// After so many peels more than the deepest pixel has fragments, a loop that goes on is stuck.
+/// A loop is stuck if it goes on for so many more peels than the deepest pixel has fragments.
 const SPARE_PEELS: u32 = 8;
 
 /// What a trial cost.
@@ -31,35 +31,35 @@ const SPARE_PEELS: u32 = 8;
 pub struct Finding {
     /// The image, in the scene's own colours.
     pub image: Image,
-    /// What became of each pixel, row by row from the top.
+    /// The verdict on each pixel, row by row from the top.
     pub pixels: Vec<Verdict>,
-    /// Fragments that the image does not have.
+    /// The number of fragments that are missing in the image.
     pub missing: u64,
-    /// Fragments that it has once too often, each time counted.
+    /// The number of times that a fragment is in the image once too often.
     pub doubled: u64,
-    /// Whether the loop found its end.
+    /// Whether the loop ended.
     pub ended: bool,
 }
 
-/// What became of a pixel; of several things that went wrong, the last one that applies.
+/// The verdict on a pixel. If several apply, it is the last of them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
-    /// It has no transparent fragment.
+    /// The pixel has no transparent fragment.
     Empty,
-    /// Its colour is the exact image's.
+    /// The pixel has the exact image's colour.
     Right,
-    /// It has as many fragments as it should, but its colour is another.
+    /// The pixel has the right number of fragments, but another colour.
     Reordered,
-    /// It lacks fragments.
+    /// The pixel lacks fragments.
     Missing,
-    /// It has some more often than once.
+    /// The pixel has some fragment more than once.
     Doubled,
-    /// It repeats one for ever.
+    /// The pixel repeats a fragment for ever.
     Stuck,
 }
 
 impl Finding {
-    /// How many pixels came out so.
+    /// The number of pixels with this verdict.
     pub fn count(&self, verdict: Verdict) -> usize {
         self.pixels
             .iter()
@@ -67,14 +67,14 @@ impl Finding {
             .count()
     }
 
-    /// How many pixels are not the exact image's.
+    /// The number of pixels that differ from the exact image.
     pub fn wrong(&self) -> usize {
         let fine = |verdict: &&Verdict| !matches!(verdict, Verdict::Empty | Verdict::Right);
         self.pixels.iter().filter(fine).count()
     }
 
-    /// Where they lie: white where there is nothing, grey where all is right, blue where fragments are missing, yellow
-    /// where their order is another, orange where they are doubled, red where the pixel is stuck.
+    /// A picture of the verdicts. An empty pixel is white and a right one grey. A pixel that misses fragments is blue,
+    /// one with another order yellow, one with doubled fragments orange, and a stuck one red.
     pub fn picture(&self) -> Image {
         let color = |verdict: &Verdict| match verdict {
             Verdict::Empty => [1.0, 1.0, 1.0],
@@ -96,7 +96,7 @@ impl Finding {
 /// Tries one way of comparing on a scene. `exact` is the scene's exact image, by [`Method::Exact`].
 ///
 /// # Errors
-/// What the driver cannot do.
+/// If the driver fails.
 pub fn try_out(
     context: &Context,
     scene: &Scene,
@@ -113,7 +113,7 @@ pub fn try_out(
     });
     let [width, height] = scene.size;
     let renderer = Renderer::new(context, width, height)?.with_formats(Format::Rgba32F, depth);
-    // What depths are held between is part of what is studied.
+    // The clip planes affect the result, so the camera's own are taken.
     let mut renderer = renderer.with_given_planes();
     let frame = renderer.render(scene, &method)?;
     drop(renderer);
@@ -132,7 +132,7 @@ pub fn try_out(
 fn verdict(shown: &Shown, pixel: usize, off: bool, limit: u32) -> Verdict {
     let (submitted, shown) = (shown.submitted[pixel], shown.shown[pixel]);
     match shown.cmp(&submitted) {
-        // A pixel has a layer in each peel until it has none, so this one had a layer in every peel.
+        // A pixel has a layer in each peel until it has none left, so this pixel had a layer in every peel.
         _ if shown >= limit => Verdict::Stuck,
         std::cmp::Ordering::Greater => Verdict::Doubled,
         std::cmp::Ordering::Less => Verdict::Missing,
@@ -147,8 +147,8 @@ fn deepest(context: &Context, scene: &Scene) -> Result<u32> {
     Ok(shown.submitted.into_iter().max().unwrap_or(0))
 }
 
-/// Random triangles for a camera whose far plane is `ratio` times as far as its near plane: each depth between the two
-/// as likely as its double, and each triangle as large in the image wherever it lies. Ratios from 2 up.
+/// Random triangles for a camera whose far plane is `ratio` times as far as its near plane. Between the two, each
+/// distance is as likely as its double, and all triangles have the same size in the image. The ratio is at least 2.
 ///
 /// # Errors
 /// If there are more triangles than a mesh may have.

@@ -1,13 +1,14 @@
-//! What can be drawn by 1/w instead of window-space depth.
+//! Checking that a method can be drawn by 1/w instead of window-space depth.
 
 use super::technique::Technique;
 use crate::error::{Error, Result};
 use crate::gl::Format;
 
-/// Says so where a method or a format cannot.
+/// Checks that the method and the format allow 1/w.
 ///
 /// # Errors
-/// Depths are not stored as 32-bit float, or the method compares window-space depths by other means than its shaders.
+/// If depths are not stored as 32-bit floats, or if something other than the method's shaders compares window-space
+/// depths.
 pub(super) fn check(method: &dyn Technique, depth: Format) -> Result<()> {
     if !matches!(depth, Format::Depth32F | Format::Depth32FStencil8) {
         return Err(Error::usage(

@@ -1,4 +1,4 @@
-//! How many iterations a peeling loop can need: a guard for listings as printed, some of which never end.
+//! A bound for the iterations of a peeling loop. It guards against printed listings, some of which never end.
 
 use super::allocate_maps;
 use crate::error::Result;
@@ -6,8 +6,8 @@ use crate::gl::GlMachine;
 use crate::papers::stage;
 use crate::steps::{Variables, run};
 
-/// One iteration for each surface of the deepest pixel, and one that finds nothing: every iteration of a right algorithm
-/// takes at least one surface from every pixel that has any left.
+/// One iteration for each surface of the deepest pixel, and one that finds nothing. Every iteration of a right
+/// algorithm takes at least one surface from every pixel that has any left.
 pub(super) fn iteration_bound(machine: &mut GlMachine<'_>) -> Result<f64> {
     machine.begin_frame();
     let (color, depth) = (

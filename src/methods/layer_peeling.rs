@@ -1,8 +1,9 @@
-//! Layer peeling as Carr et al. (2008) count it: two geometry passes an iteration, one that finds the next depth and one
-//! that composites what lies there.
+//! Layer peeling as Carr et al. (2008) count it, with two geometry passes per iteration: one finds the next depth, and
+//! one composites the fragments at that depth.
 //!
-//! Everitt's depth peeling draws once per layer, because it composites the fragment that its depth test has kept. This
-//! draws twice, and composites *every* fragment at the depth that was found: ties stay in the order of submission.
+//! Everitt's depth peeling draws once per layer, because it composites the fragment that its depth test has kept. Layer
+//! peeling draws twice, and composites *every* fragment at the depth that was found, so ties stay in the order of
+//! submission.
 
 use super::algorithm::{Algorithm, Drawn, Setup};
 use super::allocate_maps::allocate_maps;
@@ -19,7 +20,7 @@ use crate::steps::run;
 /// What can be chosen about layer peeling.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct LayerPeelingOptions {
-    /// The paper's text with nothing amended. Given up when it goes on for too long.
+    /// Whether to run the paper's text without amendments. A loop that goes on for too long is given up.
     pub as_printed: bool,
 }
 

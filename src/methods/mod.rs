@@ -1,4 +1,4 @@
-//! The methods: one file each, which reads like its paper, and the renderer that runs them.
+//! The methods, with one file each that reads like its paper, and the renderer that runs them.
 //!
 //! <!-- methods: generated from the registry -->
 //! | method | published | exact | fragments of equal depth | a full array keeps | memory |

@@ -1,7 +1,7 @@
 //! The painter's algorithm: triangles sorted by their centroids, farthest first, then blended in that order.
 //!
-//! Right where no two triangles intersect or overlap in a cycle, and where the nearer centroid is the nearer triangle
-//! (Carr et al. 2008, section 1: an object level approach).
+//! It is right if no two triangles intersect or overlap in a cycle, and if the triangle with the nearer centroid is the
+//! nearer one (Carr et al. 2008, section 1: an object level approach).
 
 use super::algorithm::{Algorithm, Drawn, Setup};
 use super::blend::BLEND_IN_ORDER;
@@ -39,8 +39,8 @@ impl Algorithm for Painter {
     }
 }
 
-/// Every triangle as mesh and number, the one with the farthest centroid along the view direction first; of equally
-/// far ones, the one submitted last, because the one submitted first lies in front.
+/// Every triangle as mesh and number. The triangle with the farthest centroid along the view direction comes first. Of
+/// equally far ones, the one submitted last comes first, because the one submitted first lies in front.
 fn back_to_front(scene: &Scene) -> Vec<[u32; 2]> {
     let mut keyed: Vec<(f64, [u32; 2])> = Vec::new();
     for (mesh_number, mesh) in scene.meshes.iter().enumerate() {

@@ -1,4 +1,4 @@
-//! What the peeling loops of Carr et al. (2008) have in common: an end, and what they say of themselves.
+//! What the peeling loops of Carr et al. (2008) share: an end, and their results.
 
 use super::algorithm::{Composited, Drawn};
 use super::iteration_bound::iteration_bound;
@@ -6,7 +6,7 @@ use crate::error::Result;
 use crate::gl::GlMachine;
 use crate::steps::{Amendment, Outcome, Reason, Variables};
 
-/// Whether a loop runs as printed, and after how many iterations it is given up.
+/// Whether a loop runs as printed, and the number of iterations after which it is given up.
 pub(super) struct Peeled {
     as_printed: bool,
     guarded: bool,
@@ -22,7 +22,7 @@ impl Peeled {
         }
     }
 
-    /// For a loop with a user's own changes.
+    /// The guard of a loop with a user's own changes.
     pub(super) fn guarded(self) -> Self {
         Self {
             guarded: true,
@@ -30,7 +30,7 @@ impl Peeled {
         }
     }
 
-    /// Amended loops end by themselves. As printed, some do not.
+    /// Amended loops end by themselves. Some printed ones do not.
     pub(super) fn prepare(&mut self, machine: &mut GlMachine<'_>) -> Result<()> {
         if self.guarded {
             self.iteration_limit = iteration_bound(machine)?;
@@ -47,7 +47,7 @@ impl Peeled {
     }
 }
 
-/// What a loop says of itself.
+/// The result of a loop.
 pub(super) fn peeled(outcome: &Outcome) -> Drawn {
     let number = |name| outcome.variables.get(name).unwrap_or(0.0);
     Drawn {

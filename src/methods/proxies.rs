@@ -4,7 +4,7 @@ use crate::papers::lindholm_2015::PROXIES;
 use crate::scene::Scene;
 use crate::steps::Amendment;
 
-/// How a listing that draws transparent objects is amended for this scene.
+/// The amendments for this scene to a listing that draws transparent objects.
 pub(super) const fn proxies(scene: &Scene) -> &'static [Amendment] {
     if scene.volumes.is_empty() {
         &[]

@@ -1,4 +1,4 @@
-//! The registry: which methods there are. It feeds the command line, the help, the documentation and the tests.
+//! The registry of methods. It feeds the command line, the help, the documentation and the tests.
 
 use std::fmt;
 use std::ops::Deref;
@@ -12,9 +12,9 @@ use super::technique::{Published, Technique};
 use super::*;
 use crate::error::{Error, Result, did_you_mean};
 
-/// Every method in one line: its file, its name as a [`Method`], and the type of its options if it has any; in the order in
-/// which `compare` shows them. A method's file has its [`Entry`]; this list alone makes it a module, a [`Method`], a row of
-/// every table and a word on the command line.
+/// Every method in one line, in the order in which `compare` shows them. A line has the method's file, its name as a
+/// [`Method`], and the type of its options if it has any. The file has the method's [`Entry`]. This list alone makes
+/// the method a module, a [`Method`], a row of every table, and a word on the command line.
 macro_rules! every_method {
     ($receiver:ident) => {
         $receiver! {
@@ -49,18 +49,18 @@ macro_rules! method {
                 }
             }
 
-            /// What can be chosen about it.
+            /// The method's options.
             pub fn choices(&self) -> Vec<Choice> {
                 match self {
                     $(of!(pattern _ $name $($options)?) => choices(of!(setters $name $($options)?)),)*
                 }
             }
 
-            /// Chooses something by name. The value of a choice that takes none is not looked at.
+            /// Sets an option by name. The value is ignored if the option takes none.
             ///
             /// # Errors
-            /// If the method has no such choice, or the value is none for it. Whether values go together
-            /// [`Technique::check`] says.
+            /// If the method has no such option, or the value is wrong for it. [`Technique::check`] says whether values
+            /// fit together.
             pub fn choose(&mut self, name: &str, value: &str) -> Result<()> {
                 let method = *self;
                 match self {
@@ -77,7 +77,7 @@ macro_rules! method {
     };
 }
 
-/// What differs between a method with options and one without.
+/// The parts that differ between a method with options and one without.
 macro_rules! of {
     (doc $name:ident) => {
         concat!(
@@ -137,7 +137,7 @@ fn choose<O: Published>(method: Method, options: &mut O, name: &str, value: &str
     (setter.set)(options, value)
 }
 
-/// Says who has what this method does not have, and what it has instead.
+/// The remedy for an unknown option: the methods that have it, and the options of this method.
 fn refusal(method: Method, name: &str) -> Error {
     let who = registry().iter().filter(|row| row.method.has(name));
     let who: Vec<_> = who.map(|row| row.name).collect();
@@ -153,12 +153,12 @@ fn refusal(method: Method, name: &str) -> Error {
     Error::usage(format!("{method} has no option {name}"), remedy)
 }
 
-/// A row of the registry: a method with its default options, and what there is to know about it.
+/// A row of the registry: a method with its default options, and its facts.
 #[derive(Clone, Copy, Debug)]
 pub struct Listed {
     /// The method.
     pub method: Method,
-    /// Its entry, whose fields are the row's own: `row.name`.
+    /// The method's entry. Its fields are also the row's, as in `row.name`.
     pub entry: &'static Entry,
 }
 
@@ -183,17 +183,17 @@ pub fn registry() -> &'static [Listed] {
 }
 
 impl Method {
-    /// Its name in the registry.
+    /// The method's name in the registry.
     pub fn name(&self) -> &'static str {
         self.entry().name
     }
 
-    /// Whether something of this name can be chosen about it.
+    /// Whether it has an option of this name.
     pub fn has(&self, name: &str) -> bool {
         self.choices().iter().any(|choice| choice.name == name)
     }
 
-    /// Its entry in the registry.
+    /// The method's entry in the registry.
     pub fn entry(&self) -> &'static Entry {
         self.technique().entry()
     }

@@ -1,4 +1,5 @@
-//! Rendering: sets a method up for a scene, runs it, reads the image, and counts what belongs into it.
+//! Rendering: setting a method up for a scene, running it, reading the image, and counting the fragments that belong in
+//! it.
 
 use std::borrow::Cow;
 use std::time::{Duration, Instant};
@@ -39,7 +40,7 @@ pub struct Renderer<'c> {
     inverse_w: bool,
 }
 
-/// An image and what there is to say about it.
+/// An image and its facts.
 #[derive(Clone, Debug)]
 pub struct Frame {
     /// The image.
@@ -50,31 +51,31 @@ pub struct Frame {
     pub hanging: Option<Hanging>,
     /// The counts, and the time.
     pub stats: Stats,
-    /// What happened besides that the caller should know of, though it is not in the image: errors that OpenGL had pending
-    /// before the frame, in someone else's context.
+    /// Notes for the caller about things that do not affect the image: errors that OpenGL had pending before the frame,
+    /// in someone else's context.
     pub notices: Vec<String>,
 }
 
-/// One peeled layer.
+/// A peeled layer.
 #[derive(Clone, Debug)]
 pub struct Layer {
-    /// Straight alpha; all channels 0 where the layer has no fragment.
+    /// The colours, with straight alpha. All channels are 0 at a pixel without a fragment of the layer.
     pub color: Image,
-    /// Window-space depth, row by row from the top. Where the layer has no fragment it is the depth from which the peel
-    /// started: the opaque surface's, or 1.
+    /// Window-space depth, row by row from the top. At a pixel without a fragment of the layer, it is the depth from
+    /// which the peel started: the opaque surface's, or 1.
     pub depth: Vec<f32>,
 }
 
-/// A scene as a method draws it.
+/// A scene in the form in which a method draws it.
 struct Shown<'s> {
     scene: Cow<'s, Scene>,
-    /// As how many slices its volumes are drawn, if they are.
+    /// How many slices to draw the volumes as, or `None` if the method casts rays or there are no volumes.
     slices: Option<u32>,
-    /// The scene's camera as it was given, whatever planes it is drawn with.
+    /// The scene's camera as it was given. It may be drawn with other planes.
     given: Camera,
 }
 
-/// After this no further frame is measured.
+/// After this time no further frame is measured.
 const PATIENCE: Duration = Duration::from_secs(2);
 
 impl<'c> Renderer<'c> {
@@ -95,17 +96,17 @@ impl<'c> Renderer<'c> {
         })
     }
 
-    /// With other formats for the image and the layers, and for every depth.
+    /// The renderer with other formats for the image and the layers, and for every depth.
     #[must_use]
     pub fn with_formats(mut self, color: Format, depth: Format) -> Self {
         (self.color, self.depth) = (color, depth);
         self
     }
 
-    /// Has methods that know surfaces only draw a scene's volumes as so many slices, 1 to
-    /// [`MOST_SLICES`](super::MOST_SLICES): planes across the view, evenly through all volumes together, each as opaque as
-    /// the slab in whose middle it stands. Hybrid layer peeling does so unasked, with
-    /// [`DEFAULT_SLICES`](super::DEFAULT_SLICES); methods that cast rays through volumes go on doing so.
+    /// Makes methods that know only surfaces draw a scene's volumes as so many slices, 1 to
+    /// [`MOST_SLICES`](super::MOST_SLICES). Slices are planes across the view, at equal distances through all volumes
+    /// together. Each is as opaque as the slab in whose middle it stands. Hybrid layer peeling does so by default, with
+    /// [`DEFAULT_SLICES`](super::DEFAULT_SLICES). Methods that cast rays through volumes still do that.
     ///
     /// # Errors
     /// If the number is out of its range.
@@ -115,31 +116,31 @@ impl<'c> Renderer<'c> {
         Ok(self)
     }
 
-    /// Leaves out of frames what they write down for their statistics only: what the lists of an A-buffer cost, and how many
-    /// fragments they lost. It is what a time should not contain that is compared to another method's; and another
-    /// program for the driver to compile.
+    /// Frames no longer record values that only their statistics need: the costs of an A-buffer's lists, and the number
+    /// of lost fragments. A time that is compared with another method's should not contain this work, which also takes
+    /// another program to compile.
     #[must_use]
     pub fn without_costs(mut self) -> Self {
         self.counts_costs = false;
         self
     }
 
-    /// Draws with the near and the far plane of the scene's camera as they are.
+    /// Makes the renderer draw with the near and the far plane of the scene's camera as they are.
     ///
-    /// Otherwise they are moved together until they are close around what there is to see between them
-    /// ([`Camera::close_around`](crate::scene::Camera::close_around)): nothing more is cut off, and depths are held more
-    /// finely. A near plane at 0.1 and a far plane at 1000 leave a 32-bit depth buffer nothing to tell two panes apart that
-    /// stand 1 cm from each other, 100 away.
+    /// Otherwise the planes are moved close around the geometry between them
+    /// ([`Camera::close_around`](crate::scene::Camera::close_around)). Nothing more is cut off, and depths have a finer
+    /// resolution. With a near plane at 0.1 and a far plane at 1000, a 32-bit depth buffer cannot tell apart two panes
+    /// at a distance of 100 that are 1 cm apart.
     #[must_use]
     pub fn with_given_planes(mut self) -> Self {
         self.fits_planes = false;
         self
     }
 
-    /// Has methods test, store and compare 1/w instead of window-space depth, which crowds together far from the near plane.
-    /// It is exact to some 1e-6 of the distance wherever a surface is, and changes no line of a listing: what is stored
-    /// grows with the distance from 0 to 1 ([`GlMachine::set_inverse_w`]). It costs the tests that drivers make before they
-    /// shade.
+    /// Makes methods test, store and compare 1/w instead of window-space depth, whose values crowd together far from
+    /// the near plane. The error of 1/w is some 1e-6 of the distance everywhere. No line of a listing changes: the
+    /// stored value grows with the distance from 0 to 1 ([`GlMachine::set_inverse_w`]). The cost is that drivers can no
+    /// longer test depths before they shade.
     #[must_use]
     pub fn with_inverse_w(mut self) -> Self {
         self.inverse_w = true;
@@ -149,7 +150,7 @@ impl<'c> Renderer<'c> {
     /// Renders one frame.
     ///
     /// # Errors
-    /// What the method or the driver cannot do.
+    /// If the method or the driver fails.
     pub fn render(&mut self, scene: &Scene, method: &dyn Technique) -> Result<Frame> {
         let _visit = self.machine.context().visit()?;
         let shown = self.set_up_for(scene, method)?;
@@ -161,8 +162,8 @@ impl<'c> Renderer<'c> {
         self.finish(&shown, method, drawn, ms)
     }
 
-    /// Renders a frame to warm up and then `frames` more, or as many as begin within two seconds, but at least one; the
-    /// time is their median.
+    /// Renders a frame to warm up, and then `frames` more, or as many as begin within two seconds, but at least one.
+    /// The time is their median.
     ///
     /// # Errors
     /// As [`Renderer::render`].
@@ -209,8 +210,8 @@ impl<'c> Renderer<'c> {
         Ok(())
     }
 
-    /// Uploads the scene as the method draws it, and answers that: with slices instead of volumes, if it does not cast
-    /// rays.
+    /// Uploads the scene as the method draws it, and returns that scene. It has slices instead of volumes if the method
+    /// does not cast rays.
     fn set_up_for<'s>(&mut self, scene: &'s Scene, method: &dyn Technique) -> Result<Shown<'s>> {
         let slices = slicing::slices(scene, method.entry(), self.slices)?;
         if self.inverse_w {
@@ -312,7 +313,7 @@ impl<'c> Renderer<'c> {
             Composited::AllBut(left) => Some(left),
             Composited::Unknown => None,
         };
-        // Without it, what a driver had no room for would only be missing in the image.
+        // Without this check, parts for which a driver had too little memory would only be missing in the image.
         let method = method.entry().name;
         self.machine
             .expect_no_error(&format!("while {method} rendered the frame"))?;
@@ -365,7 +366,8 @@ impl<'c> Renderer<'c> {
         (0..count).map(layer).collect()
     }
 
-    /// What belongs into the image, whatever the method has done: see [`stage::COUNT`]. Leaves the image as it is.
+    /// The number of fragments that belong in the image, for any method: see [`stage::COUNT`]. Leaves the image as it
+    /// is.
     fn count_fragments(&mut self, scene: &Scene) -> Result<u64> {
         self.begin(scene)?;
         run(
@@ -378,7 +380,7 @@ impl<'c> Renderer<'c> {
     }
 }
 
-/// Errors of someone else's, in words.
+/// Notes about errors of someone else.
 fn notices(context: &Context) -> Vec<String> {
     let errors = context.foreign_errors();
     let notice = |error| {

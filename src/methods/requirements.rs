@@ -1,10 +1,10 @@
-//! Refusing by name what a peeling method cannot do without.
+//! Checking the requirements of peeling methods, with messages that name what is missing.
 
 use crate::error::{Error, Result};
 use crate::gl::{Driver, Format};
 use crate::papers::vtk::{ALPHA_BITS, missing_extensions};
 
-/// Whether peeling can be done by this driver, in colours of this format.
+/// Checks that this driver can peel, in colours of this format.
 pub(super) fn check(driver: &Driver, color: Format) -> Result<()> {
     let missing = missing_extensions(driver.version, |name| driver.has(name));
     if !missing.is_empty() {

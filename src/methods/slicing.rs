@@ -1,16 +1,16 @@
-//! Volumes for methods that draw surfaces only: as slices (Carr et al. 2008, whose sorted geometry they are).
+//! Volumes as slices, for methods that draw only surfaces (Carr et al. 2008, whose sorted geometry they are).
 
 use super::entry::{Entry, Volumes};
 use super::registry::registry;
 use crate::error::{Error, Result};
 use crate::scene::Scene;
 
-/// As many slices as volumes are drawn as if nobody says how many: Carr et al.'s figure 1 has 256.
+/// The default number of slices, as in figure 1 of Carr et al.
 pub const DEFAULT_SLICES: u32 = 256;
-/// The most slices that can be asked for.
+/// The largest number of slices.
 pub const MOST_SLICES: u32 = 1 << 16;
 
-/// Whether there can be so many slices.
+/// Checks the number of slices.
 pub(super) fn check(count: u32) -> Result<()> {
     if (1..=MOST_SLICES).contains(&count) {
         return Ok(());
@@ -21,11 +21,11 @@ pub(super) fn check(count: u32) -> Result<()> {
     ))
 }
 
-/// As how many slices the method draws the scene's volumes, `asked` by the user or not; none if it casts rays through
-/// them, or there are no volumes.
+/// How many slices the method draws the scene's volumes as: `asked`, or the default. `None` if it casts rays through
+/// them, or if there are no volumes.
 ///
 /// # Errors
-/// The method would leave the volumes out in silence.
+/// If the method would leave the volumes out in silence.
 pub(super) fn slices(scene: &Scene, method: &Entry, asked: Option<u32>) -> Result<Option<u32>> {
     if scene.volumes.is_empty() || method.volumes == Volumes::Rays {
         return Ok(None);

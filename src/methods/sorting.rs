@@ -1,7 +1,7 @@
-//! Sorting triangles on the CPU, front to back and only approximately: coherent layer peeling puts right what is left
-//! (Carr et al. 2008, section 9: "a simple bucket sort of triangle centroids").
+//! Sorting triangles on the CPU approximately front to back. Coherent layer peeling corrects the rest (Carr et al.
+//! 2008, section 9: "a simple bucket sort of triangle centroids").
 //!
-//! It is done up front, for one view; a frame's time does not contain it.
+//! It is done beforehand, for one view, and a frame's time does not contain it.
 
 use std::str::FromStr;
 
@@ -9,17 +9,17 @@ use super::choice::{Choice, Takes};
 use crate::error::{Error, Result};
 use crate::scene::{Mesh, Scene};
 
-/// In which order transparent triangles are submitted.
+/// The order in which transparent triangles are submitted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sorting {
-    /// As the scene has them.
+    /// The scene's order.
     Submission,
-    /// Mesh by mesh, the one with the nearest middle first.
+    /// Mesh by mesh, the mesh with the nearest middle first.
     Objects,
-    /// By centroid, into this many equally deep buckets between the nearest and the farthest; within a bucket as the
-    /// scene has them. 0 and 1 sort nothing.
+    /// By centroid, into this many equally deep buckets between the nearest and the farthest. Within a bucket,
+    /// triangles have the scene's order. 0 and 1 sort nothing.
     Buckets(u32),
-    /// The same buckets, the farthest first: the worst that can be done, to see what sorting is worth.
+    /// The same buckets, the farthest first. This is the worst order, to measure the value of sorting.
     Reversed(u32),
 }
 
@@ -30,8 +30,8 @@ pub(super) const SORT: Choice = Choice {
 };
 
 impl Default for Sorting {
-    /// 256 buckets: on the bundled scenes more saved no iteration (`benches/carr.rs`), and every bucket may cost a draw call
-    /// per mesh.
+    /// 256 buckets. On the bundled scenes more buckets saved no iteration (`benches/carr.rs`), and every bucket may
+    /// cost a draw call per mesh.
     fn default() -> Self {
         Self::Buckets(256)
     }
@@ -64,7 +64,7 @@ fn is_within_reason(buckets: u32) -> bool {
 }
 
 impl Sorting {
-    /// Every triangle as mesh and number: the opaque ones first, then the others, front to back as far as this goes.
+    /// Every triangle as mesh and number: opaque triangles first, then the others in this order.
     pub(super) fn order(self, scene: &Scene) -> Vec<[u32; 2]> {
         let (opaque, transparent): (Vec<u32>, Vec<u32>) =
             (0..scene.meshes.len() as u32).partition(|&mesh| scene.meshes[mesh as usize].opaque);
@@ -86,14 +86,15 @@ impl Sorting {
     }
 }
 
-/// Three times a triangle's distance along the view direction; the factor does not change an order.
+/// Three times a triangle's distance along the view direction. The factor does not change an order.
 pub(super) fn centroid_depth(scene: &Scene, mesh: &Mesh, triangle: [u32; 3]) -> f64 {
     let forward = scene.camera.target - scene.camera.eye;
     let depth = |corner: u32| mesh.vertices[corner as usize].position.dot(forward);
     triangle.into_iter().map(depth).sum()
 }
 
-/// Every triangle, the sorted meshes' exactly by depth behind the others: what hybrid layer peeling submits.
+/// Every triangle in the order of hybrid layer peeling: those of sorted meshes, exactly by depth, come after the
+/// others.
 pub(super) fn sorted_meshes_front_to_back(scene: &Scene) -> Vec<[u32; 2]> {
     let (sorted, others): (Vec<u32>, Vec<u32>) =
         (0..scene.meshes.len() as u32).partition(|&mesh| scene.meshes[mesh as usize].sorted);
@@ -104,7 +105,7 @@ pub(super) fn sorted_meshes_front_to_back(scene: &Scene) -> Vec<[u32; 2]> {
     order
 }
 
-/// What is nearer comes first; of what is equally near, what came first.
+/// The nearer triangle comes first. Equally near ones stay in their order.
 fn nearest_first<T>(items: Vec<T>, depth: impl Fn(&T) -> f64) -> Vec<T> {
     let mut keyed: Vec<(f64, T)> = items.into_iter().map(|item| (depth(&item), item)).collect();
     keyed.sort_by(|(a, _), (b, _)| a.total_cmp(b));
@@ -141,7 +142,7 @@ fn in_buckets(scene: &Scene, meshes: &[u32], count: u32) -> Vec<Vec<[u32; 2]>> {
     let far = depths.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let bucket_of = |depth: f64| {
         let part = (depth - near) / (far - near);
-        // Not a number if all depths are equal: then there is one bucket.
+        // This is not a number if all depths are equal. Then there is one bucket.
         ((part * count as f64) as usize).min(count - 1)
     };
     let mut buckets: Vec<Vec<[u32; 2]>> = vec![Vec::new(); count];

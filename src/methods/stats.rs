@@ -1,65 +1,66 @@
-//! What a frame has to say besides its image.
+//! The statistics of a frame.
 
 use std::fmt;
 
 use crate::steps::Reason;
 
-/// The facts of a frame. Everything but `ms` is a count and the same on every run.
+/// The statistics of a frame. Everything but `ms` is a count, and is the same in every run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stats {
     /// The method's name.
     pub method: String,
-    /// Rounds of the method's loop, the last one included even if it found nothing; 1 if it has no loop.
+    /// The rounds of the method's loop, including the last one even if it found nothing. It is 1 without a loop.
     pub iterations: u32,
     /// How often the transparent geometry was drawn.
     pub geometry_passes: u64,
-    /// Layers in the image; nothing if the method does not make layers.
+    /// The layers in the image, or `None` if the method does not make layers.
     pub layers: Option<u32>,
-    /// Transparent fragments before the opaque depth: what belongs into the image.
+    /// The transparent fragments before the opaque depth, which belong in the image.
     pub fragments: u64,
-    /// How many of them are not in it (dropped ties, peels not made); nothing if the method cannot tell.
+    /// The number of them that are not in the image (dropped ties, peels not made), or `None` if the method cannot
+    /// tell.
     pub lost: Option<u64>,
-    /// Why the loop ended; nothing if the method has none.
+    /// The reason for which the loop ended, or `None` if the method has no loop.
     pub stopped: Option<Reason>,
     /// Whether depth peeling was used, and if not, why.
     pub peeling: Peeling,
-    /// Bytes of the maps that the method has allocated.
+    /// The bytes of the maps that the method has allocated.
     pub bytes: u64,
-    /// As how many slices the scene's volumes were drawn; nothing if they were not.
+    /// How many slices the scene's volumes were drawn as, or `None` if they were not drawn as slices.
     pub slices: Option<u32>,
-    /// What the fragment lists have cost; nothing if the method has none.
+    /// The costs of the fragment lists, or `None` if the method has none.
     pub a_buffer: Option<ABufferCounts>,
-    /// Time of the frame in milliseconds, readback and files left out.
+    /// The time of the frame in milliseconds, without readback and files.
     ///
-    /// The median of several frames after [`measure`](super::Renderer::measure); after
-    /// [`render`](super::Renderer::render) it is the one frame's, the compilation of its shaders included.
+    /// After [`measure`](super::Renderer::measure) it is the median of several frames. After
+    /// [`render`](super::Renderer::render) it is that of the single frame, including the compilation of its shaders.
     pub ms: f64,
 }
 
-/// What an A-buffer has cost; none of it depends on the machine.
+/// The costs of an A-buffer. They do not depend on the machine.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ABufferCounts {
-    /// Bands the image was rendered in.
+    /// The number of bands in which the image was rendered.
     pub bands: u32,
     /// Bytes of the lists: records, links, base offsets, for the largest band.
     pub list_bytes: u64,
     /// Records read from the lists.
     pub records_read: u64,
-    /// Subpasses of all pixels: how often a list was walked.
+    /// Subpasses of all pixels, which is how often a list was walked.
     pub subpasses: u64,
     /// The most subpasses of a pixel.
     pub most_subpasses: u32,
-    /// Elements of Local Arrays, all pixels together (figure 5).
+    /// Elements of Local Arrays that were reserved, of all pixels (figure 5).
     pub slots_reserved: u64,
-    /// How many of them held a fragment at some time; the others are figure 5's grey areas.
+    /// Elements that held a fragment at some time. The others are figure 5's grey areas.
     pub slots_used: u64,
     /// Pixels that lost fragments.
     pub truncated_pixels: u64,
-    /// Pixels that ppAO's segments have resolved, each time counted; 0 without ppAO.
+    /// The number of times that ppAO's segments have resolved a pixel, or 0 without ppAO.
     pub resolved: u64,
 }
 
-/// VTK's question, "was depth peeling actually used", with the answer's reason.
+/// The answer to VTK's question "was depth peeling actually used", with its reason.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Peeling {
     /// It was.

@@ -1,4 +1,4 @@
-//! The tables of methods in the documentation are the registry's; `BLESS=1` writes them again.
+//! The documentation's tables of methods are generated from the registry. `BLESS=1` rewrites them.
 
 use std::fs;
 use std::path::Path;
@@ -6,7 +6,7 @@ use std::path::Path;
 use super::entry::{Entry, Ties};
 use super::registry::registry;
 
-/// Every method with what there is to know about it. Methods of which all of it is the same share a row.
+/// Every method with its facts. Methods with the same facts share a row.
 fn of_methods() -> Vec<String> {
     let mut rows: Vec<(Vec<String>, String)> = Vec::new();
     for row in registry() {
@@ -38,7 +38,7 @@ fn rest(entry: &Entry) -> String {
     format!("| {source} | {exactness} | {ties} | {keeps} | {memory} |")
 }
 
-/// What becomes of coplanar fragments, and by which methods.
+/// The orders of coplanar fragments, and their methods.
 fn of_ties() -> Vec<String> {
     let mut kinds: Vec<Ties> = Vec::new();
     for row in registry() {

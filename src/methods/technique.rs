@@ -1,4 +1,4 @@
-//! What the renderer takes: a method with its options chosen, published or somebody's own.
+//! A method with its options, published or of a caller's own, as the renderer takes it.
 
 use std::fmt;
 
@@ -7,26 +7,27 @@ use super::choice::Setter;
 use super::entry::Entry;
 use crate::error::Result;
 
-/// A method, its options chosen: what there is to know about it, and what it does.
+/// A method with its options: its facts, and its algorithm.
 ///
-/// [`Method`](super::Method) is one for every published method, and each type of options is one, too.
+/// [`Method`](super::Method) is a technique for every published method. Each type of options is one, too.
 pub trait Technique: fmt::Debug {
-    /// What there is to know about it before it runs.
+    /// The facts that are known before it runs.
     fn entry(&self) -> &'static Entry;
 
-    /// What draws its frames.
+    /// The algorithm that draws its frames.
     fn algorithm(&self, setup: &Setup) -> Box<dyn Algorithm>;
 
-    /// Whether a frame can be rendered with the options that are chosen, as far as they alone tell. It is asked before each
-    /// frame; asking earlier says earlier what is wrong.
+    /// Checks the options, as far as that is possible without a scene. This is done before each frame; a caller may do
+    /// it earlier.
     ///
     /// # Errors
-    /// If one is out of its range, or two exclude each other.
+    /// If an option is out of its range, or two options exclude each other.
     fn check(&self) -> Result<()> {
         Ok(())
     }
 
-    /// Why it cannot draw by 1/w ([`Renderer::with_inverse_w`](super::Renderer::with_inverse_w)), or `None` if it can.
+    /// The reason for which it cannot draw by 1/w ([`Renderer::with_inverse_w`](super::Renderer::with_inverse_w)), or
+    /// `None` if it can.
     fn needs_window_depth(&self) -> Option<&'static str> {
         None
     }
@@ -34,10 +35,10 @@ pub trait Technique: fmt::Debug {
 
 /// A published method, which the registry lists.
 pub(super) trait Published: Technique + Default + Copy + 'static {
-    /// What can be chosen about it.
+    /// Its options.
     const CHOICES: &'static [Setter<Self>] = &[];
 
-    /// The method under each of its names, with the options' defaults.
+    /// The method under each of its names, with its default options.
     fn variants() -> Vec<Self> {
         vec![Self::default()]
     }

@@ -1,5 +1,5 @@
-//! Negative controls: shaders of volumes with one changed word, each of which a comparison that `tests/gl/fused.rs` and
-//! `tests/gl/slices.rs` make must refuse.
+//! Negative controls: shaders of volumes with one changed word. A comparison of `tests/gl/fused.rs` or
+//! `tests/gl/slices.rs` must refuse each of them.
 
 #[path = "../../tests/kit/fog_scenes.rs"]
 #[allow(dead_code)]
@@ -63,7 +63,7 @@ fn rays() -> Method {
     })
 }
 
-/// A machine of its own, so that no program is linked yet.
+/// A separate machine, so that no program is linked yet.
 fn render(context: &Context, scene: &Scene, method: &Method, change: Change) -> Frame {
     let [width, height] = scene.size;
     changing(change, || {
@@ -73,7 +73,7 @@ fn render(context: &Context, scene: &Scene, method: &Method, change: Change) -> 
     })
 }
 
-/// How far fog and a pane are from exp(-sigma L), less often sampled than their size allows.
+/// The error of fog and a pane relative to exp(-sigma L), with fewer samples than their size allows.
 fn off_closed_form(context: &Context, eye: f64, alpha: f32, change: Change) -> f64 {
     let scene = fog_and_pane(eye, -0.4, alpha, 0.3);
     let frame = render(context, &scene, &rays(), change);
@@ -168,7 +168,7 @@ fn l16_slices_with_a_changed_word_are_not_the_fused_image_s() {
     }
 }
 
-/// A change that has nothing to change is a mistake in the control.
+/// A change that changes nothing is a mistake in the control.
 #[test]
 #[should_panic(expected = "no such word")]
 fn a_word_that_is_not_there_cannot_be_changed() {

@@ -1,11 +1,11 @@
 //! Louis Bavoil and Kevin Myers, *Order Independent Transparency with Dual Depth Peeling*, NVIDIA, February 2008.
 //!
-//! One pass peels a layer from the front and one from the back. What VTK uses today.
+//! One pass peels a layer from the front and one from the back. VTK uses this algorithm today.
 //!
 //! The paper blends all three targets by MAX, because the hardware of its year had one blend equation for all draw
-//! buffers. A colour, though, is not something of which one wants the maximum: of two fragments at one depth it makes a
-//! third that nobody has drawn. OpenGL 4.0 blends each draw buffer in its own way, so here MAX is for the depths alone;
-//! colours of equal depth go under one another in the order of submission, and none is lost.
+//! buffers. But the maximum of two colours is a third colour that nobody has drawn. OpenGL 4.0 blends each draw buffer
+//! in its own way, so here MAX is for the depths alone. Colours of equal depth go under one another in the order of
+//! submission, and none is lost.
 
 use super::paper::Paper;
 use crate::papers::stage;
@@ -119,7 +119,7 @@ const BACK_OVER_BACK: Listing = Listing {
     },
 };
 
-/// The depths in texture unit 2 say where something is left; so the loop ends without an empty pass over the geometry,
+/// The depths in texture unit 2 say where fragments are left. So the loop ends without an empty pass over the geometry,
 /// after N/2 + 1 passes for N layers.
 const COUNT_PIXELS_LEFT: Listing = Listing {
     title: "In how many pixels something is left",
@@ -160,7 +160,7 @@ const FRONT_OVER_BACK_OVER_OPAQUE: Listing = Listing {
     },
 };
 
-/// How many fragments are left between the depths in texture unit 2; not part of the algorithm.
+/// Counts the fragments that are left between the depths in texture unit 2. This is not part of the algorithm.
 pub const COUNT_FRAGMENTS_LEFT: Listing = Listing {
     title: "How many fragments are left",
     source: "onionskin",
@@ -180,7 +180,7 @@ pub const COUNT_FRAGMENTS_LEFT: Listing = Listing {
 };
 
 const CLEAR: [f32; 4] = [0.0; 4];
-/// What `NOTHING` is in glsl/common/dual.glsl.
+/// The value of `NOTHING` in glsl/common/dual.glsl.
 const NOTHING: [f32; 4] = [-2.0; 4];
 
 /// Its maps and framebuffers. The opaque depth culls in all but the back's.
@@ -205,17 +205,17 @@ pub const RESOURCES: Resources = Resources {
     ..Resources::NONE
 };
 
-/// -nearest and farthest depth of what is left, before and after a peel.
+/// The negated nearest and the farthest depth of the fragments that are left, before and after a peel.
 pub const DEPTHS: [Map; 2] = [DEPTHS_0, Map::numbered("depths", 1)];
-/// What has been peeled from the front, premultiplied.
+/// The light of the layers peeled from the front, premultiplied.
 pub const FRONT_COLOR: Map = Map::named("front");
-/// What has been peeled from the back, premultiplied.
+/// The light of the layers peeled from the back, premultiplied.
 pub const BACK_COLOR: Map = Map::named("back");
-/// What this peel has found farthest, premultiplied.
+/// The farthest layer that this peel has found, premultiplied.
 pub const FARTHEST: Map = Map::named("farthest");
 /// The depths alone, culled by the opaque depth.
 pub const DEPTHS_ALONE: Target = Target("depths alone");
-/// The next depths, the front, and what is farthest; culled by the opaque depth.
+/// The next depths, the front, and the farthest layer, culled by the opaque depth.
 pub const PEELS: Target = Target("dual peel");
 /// The back alone.
 pub const BACK: Target = Target("back");

@@ -1,8 +1,8 @@
 //! Cass Everitt, *Interactive Order-Independent Transparency*, NVIDIA, 15 May 2001.
 //!
 //! Listing 1 is the algorithm, written for an OpenGL with two depth units; [`DepthUnits`](crate::steps::DepthUnits)
-//! runs it on a real one, as "Shadow Mapping as Depth Test" proposes. The paper gives compositing in a sentence
-//! ("Putting It All Together"); it stands here as [`COMPOSITE`].
+//! runs it on a real one, as "Shadow Mapping as Depth Test" proposes. The paper describes compositing in a sentence
+//! ("Putting It All Together"), which is [`COMPOSITE`] here.
 
 pub(super) mod composite;
 mod invariance;
@@ -20,7 +20,7 @@ use super::paper::Paper;
 use super::{stage, vtk};
 use crate::steps::Text;
 
-/// Its texts. What amends Listing 1 is VTK's.
+/// The paper's texts. The amendments to Listing 1 are VTK's.
 pub const PAPER: Paper = Paper {
     key: "everitt",
     citation: "Cass Everitt, Interactive Order-Independent Transparency, NVIDIA 2001",

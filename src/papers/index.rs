@@ -17,7 +17,8 @@ pub const fn papers() -> &'static [Paper] {
     ]
 }
 
-/// The texts under a name: one, as in `everitt/listing-1`, or all of a paper, as in `everitt`; each with its whole name.
+/// The texts of a name, each with its full name. The name is that of a text, such as `everitt/listing-1`, or of a
+/// paper, such as `everitt`, for all of its texts.
 ///
 /// # Errors
 /// If there is none of that name. It says which was probably meant, and which there are.

@@ -2,8 +2,8 @@
 //! Analysis*, Computer Graphics Forum 34(1), 2015.
 //!
 //! The paper gives the A-buffer as a figure of three steps (figure 3), ppAO and ppDP as pseudocode (section 5), and the
-//! masking of ppAO as a paragraph (section 6.2). The pseudocode is in [`components`], where the emulator runs it on lists.
-//! What OpenGL runs stands here as listings, as far as the CPU makes its calls; ppDP runs inside of a shader,
+//! masking of ppAO as a paragraph (section 6.2). The pseudocode is in [`components`], where the emulator runs it on
+//! lists. The calls that the CPU makes to OpenGL stand here as listings. ppDP runs inside of a shader,
 //! `glsl/a_buffer/pp_dp.glsl`, whose lines are the pseudocode's.
 
 pub mod components;
@@ -150,7 +150,8 @@ pub const ORDERED: Amendment = Amendment {
     test: "l04_every_manager_and_fill_gives_the_oracle_s_image",
 };
 
-/// With base offsets a pixel's counter begins at its own. The depth test is enabled again before the Fill Step.
+/// With base offsets, a pixel's counter begins at the pixel's offset. The depth test is enabled again before the Fill
+/// Step.
 pub const BEGIN_AT_OFFSETS: Amendment = Amendment {
     key: "L05",
     place: "figure 3, Clear Step",
@@ -165,10 +166,10 @@ pub const BEGIN_AT_OFFSETS: Amendment = Amendment {
     test: "l05_base_offsets_keep_every_pixel_s_list_to_itself",
 };
 
-/// To every listing here that draws the transparent objects, where the scene has volumes: "for volumetric sources, only the
-/// associated proxy geometry is rendered during the Fill Step". Whether a ray is inside of a volume is read off the
-/// list, so a proxy's fragment must be in it wherever it lies: behind opaque surfaces (no depth test), before the near
-/// plane and behind the far one (depths are clamped, nothing is clipped).
+/// To every listing here that draws the transparent objects, where the scene has volumes: "for volumetric sources, only
+/// the associated proxy geometry is rendered during the Fill Step". The list tells whether a ray is inside of a volume,
+/// so it must hold all of a proxy's fragments: those behind opaque surfaces (no depth test), and those before the near
+/// plane and behind the far one (depths are clamped, and nothing is clipped).
 pub const PROXIES: Amendment = Amendment {
     key: "L16",
     place: "section 6.1, Fill Step",
@@ -185,7 +186,7 @@ pub const PROXIES: Amendment = Amendment {
     test: "l16_fog_and_a_pane_follow_the_closed_form",
 };
 
-/// Goes before the Resolve Step where the scene has volumes: the opaque surfaces end the rays.
+/// This goes before the Resolve Step if the scene has volumes, because the opaque surfaces end the rays.
 pub const OPAQUE_ENDS_RAYS: Listing = Listing {
     title: "Where rays end at the latest",
     source: "onionskin",
@@ -211,9 +212,9 @@ pub const RESOLVE: Listing = Listing {
     },
 };
 
-/// ppAO (section 5.1), masked by the stencil buffer as section 6.2 has it: "different segments are triggered by modifying
-/// the OpenGL stencil function". What marks a pixel as resolved is not said; of what the stencil buffer can do INVERT
-/// goes furthest.
+/// ppAO (section 5.1), masked by the stencil buffer as section 6.2 has it: "different segments are triggered by
+/// modifying the OpenGL stencil function". The paper does not say what marks a pixel as resolved. Of all stencil
+/// operations, INVERT goes furthest.
 pub const PP_AO: Listing = Listing {
     title: "per-pixel Array Optimization: a resolve program for each complexity segment",
     source: "Lindholm et al. 2015, sections 5.1 and 6.2",
@@ -255,8 +256,8 @@ pub const COUNT_WHILE_FILLING: Amendment = Amendment {
     test: "l10_the_fill_counts_and_no_geometry_pass_is_added",
 };
 
-/// [`CLEAR_AND_FILL`] with [`COUNT_WHILE_FILLING`]. A listing of its own, so that what amends it from outside, as [`PROXIES`]
-/// does, finds what is counted.
+/// [`CLEAR_AND_FILL`] with [`COUNT_WHILE_FILLING`]. It is a listing of its own, so that amendments from outside, such
+/// as [`PROXIES`], find the steps that count.
 pub const CLEAR_AND_COUNTING_FILL: Listing = Listing {
     title: "Clear Step, and Fill Step that counts along",
     source: "Lindholm et al. 2015, figure 3 and section 5.1",
@@ -318,8 +319,8 @@ const AFTER_RESOLVE: Listing = Listing {
     },
 };
 
-/// What its listings take for granted where lists are filled by atomics. Other fills attach other maps, for what is
-/// attached costs time.
+/// The resources that its listings take for granted if lists are filled by atomics. Other fills attach other maps,
+/// because an attachment costs time.
 pub const RESOURCES: Resources = Resources {
     maps: &[
         (COUNTER, Holds::Exactly(Format::R32Ui)),
@@ -336,28 +337,29 @@ pub const RESOURCES: Resources = Resources {
     variables: &["N", "num_segments"],
 };
 
-/// One counter a pixel that the Fill Step counts up, from 0 or from the pixel's base offset.
+/// One counter per pixel, which the Fill Step counts up from 0 or from the pixel's base offset.
 pub const COUNTER: Map = Map::named("fragment counter");
-/// PPLL that is filled by atomics: one more than the node where each pixel's list begins, 0 for nowhere.
+/// For PPLL that is filled by atomics, the number of the node at which each pixel's list begins, plus 1, or 0 for an
+/// empty list.
 pub const ANCHOR: Map = Map::named("list anchor");
-/// What each pixel's resolve has cost: records read, fragments composited, subpasses, and of the Local Array the elements
-/// reserved (upper half) and used.
+/// The costs of each pixel's resolve: records read, fragments composited, subpasses, and the elements of the Local
+/// Array that were reserved (upper half) and used.
 pub const COST: Map = Map::named("resolve cost");
-/// The opaque depth once more: what is looked up must not be part of the framebuffer.
+/// A copy of the opaque depth, because a map that is looked up must not be part of the framebuffer.
 pub const RAY_ENDS: Map = Map::named("ray ends");
 /// The global memory pool: fragment records.
 pub const RECORDS: Storage = Storage("fragment records");
-/// PPLL: one more than the record after each record. A list ends by its length.
+/// For PPLL, the number of the record after each record, plus 1. A list ends by its length.
 pub const NEXT: Storage = Storage("list links");
-/// DFB, and PPLL that is filled in order: each pixel's base offset into the pool.
+/// For DFB, and for PPLL that is filled in order, each pixel's base offset into the pool.
 pub const OFFSETS: Storage = Storage("base offsets");
-/// PPLL that is filled by atomics: how many nodes have been taken from the pool.
+/// For PPLL that is filled by atomics, the number of nodes that have been taken from the pool.
 pub const POOL: Storage = Storage("node pool");
 /// The counters and anchors, to be cleared.
 pub const CLEARED: Target = Target("clear");
-/// Where lists are filled.
+/// The framebuffer in which lists are filled.
 pub const FILL: Target = Target("fill");
-/// Where lists are resolved: the image over opaque geometry, and [`COST`].
+/// The framebuffer in which lists are resolved: the image over opaque geometry, and [`COST`].
 pub const RESOLVED: Target = Target("resolve");
 /// The covered pixels that a resolve draws.
 pub const COVERED: Query = Query("resolved pixels");

@@ -1,4 +1,4 @@
-//! The papers: their listings as data, what stands beside them, and what they claim. Nothing here runs by itself.
+//! The papers: their listings and the amendments to them, as data. Nothing here runs by itself.
 
 pub mod bavoil_2008;
 pub mod carr_2008;

@@ -1,4 +1,4 @@
-//! What is kept of a paper.
+//! The data of a paper.
 
 use crate::steps::{Resources, Text};
 
@@ -9,8 +9,8 @@ pub struct Paper {
     pub key: &'static str,
     /// Authors, year and title.
     pub citation: &'static str,
-    /// What it prints, each text under its name on the command line.
+    /// The paper's printed texts, each with its name on the command line.
     pub texts: &'static [(&'static str, Text)],
-    /// What its listings take for granted.
+    /// The resources that its listings take for granted.
     pub resources: &'static [&'static Resources],
 }

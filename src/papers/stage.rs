@@ -1,4 +1,4 @@
-//! The common stage: what the papers' methods share, whichever paper they are from.
+//! The common stage: what the methods of all papers share.
 //!
 //! Every method finds the image with its background, draws the opaque geometry first, and leaves the image over it. Most
 //! accumulate layers front to back in between. The maps, framebuffers and shaders for that stand here, and so do the
@@ -9,7 +9,7 @@ use crate::steps::{
     Dialect, Format, Framebuffer, Holds, Listing, Map, Query, Resources, Shader, Target, gl::*,
 };
 
-/// Opaque geometry comes first: its depth bounds what transparent geometry can be seen ("As we first render opaque
+/// Opaque geometry comes first, because transparent geometry behind it is invisible ("As we first render opaque
 /// geometry, we use it to cull transparent geometry", says VTK's page).
 pub const OPAQUE_FIRST: Listing = Listing {
     title: "Opaque geometry, colour and depth",
@@ -99,7 +99,7 @@ pub const COUNT_AT_EACH_PIXEL: Listing = Listing {
     },
 };
 
-/// What every method finds.
+/// The resources that every method finds.
 pub const RESOURCES: Resources = Resources {
     maps: &[(IMAGE_COLOR, Holds::Colors), (OPAQUE_DEPTH, Holds::Depths)],
     framebuffers: &[
@@ -110,14 +110,14 @@ pub const RESOURCES: Resources = Resources {
     ..Resources::NONE
 };
 
-/// What accumulates layers front to back, and nothing else.
+/// The resources for accumulating layers front to back.
 pub const ACCUMULATING: Resources = Resources {
     maps: &[(ACCUMULATED, Holds::Colors)],
     framebuffers: &[Framebuffer::new(ACCUMULATION, &[ACCUMULATED], None)],
     ..Resources::NONE
 };
 
-/// What [`COUNT_AT_EACH_PIXEL`] needs besides.
+/// The resources that [`COUNT_AT_EACH_PIXEL`] needs in addition.
 pub const COUNTING: Resources = Resources {
     maps: &[(COMPLEXITY, Holds::Exactly(Format::R32F))],
     framebuffers: &[Framebuffer::new(COUNTED, &[COMPLEXITY], Some(OPAQUE_DEPTH))],
@@ -126,9 +126,9 @@ pub const COUNTING: Resources = Resources {
 
 /// The finished image.
 pub const IMAGE_COLOR: Map = Map::named("image");
-/// Depth of the opaque geometry; 1 where there is none.
+/// The depth of the opaque geometry, or 1 where there is none.
 pub const OPAQUE_DEPTH: Map = Map::named("opaque depth");
-/// What the layers add up to, front to back, premultiplied.
+/// The layers accumulated front to back, premultiplied.
 pub const ACCUMULATED: Map = Map::named("accumulated");
 /// The depth complexity: a count of fragments for each pixel.
 pub const COMPLEXITY: Map = Map::named("complexity");
@@ -137,23 +137,23 @@ pub const COMPLEXITY: Map = Map::named("complexity");
 pub const IMAGE: Target = Target("image");
 /// The final image alone, so that the opaque depth may be looked up while layers go into it.
 pub const COMPOSITE: Target = Target("composite");
-/// Where layers are peeled. Its depth buffer changes from peel to peel.
+/// The framebuffer in which layers are peeled. Its depth buffer changes from peel to peel.
 pub const PEEL: Target = Target("peel");
-/// Where layers are accumulated front to back.
+/// The framebuffer in which layers are accumulated front to back.
 pub const ACCUMULATION: Target = Target("accumulation");
 /// The opaque depth, and no colour.
 pub const DEPTH_ALONE: Target = Target("depth alone");
-/// Where complexity is counted, with the opaque depth.
+/// The framebuffer in which complexity is counted, with the opaque depth.
 pub const COUNTED: Target = Target("count");
 
 /// Draws a surface.
 pub const SURFACE: Shader = Shader("surface");
-/// Draws a surface behind what has been peeled.
+/// Draws a surface that lies behind the peeled layers.
 pub const PEEL_SURFACE: Shader = Shader("peel");
 /// Draws a map's colour (texture unit 2) as it is.
 pub const LAYER: Shader = Shader("layer");
 /// Draws 1 for each fragment.
 pub const ONE_EACH: Shader = Shader("complexity");
 
-/// What [`COUNT`] has counted.
+/// The samples that [`COUNT`] has counted.
 pub const FRAGMENTS: Query = Query("fragments");

@@ -1,10 +1,10 @@
 //! Andreas Vasilakis and Ioannis Fudos, *Depth-Fighting Aware Methods for Multifragment Rendering*, IEEE Transactions
 //! on Visualization and Computer Graphics 19(6), 2013: depth peeling that loses no coplanar fragment.
 //!
-//! Two geometry passes a layer. The first is Everitt's and finds the layer's depth; the second counts and takes every
-//! fragment at just that depth. Here it is Listing 1 once more, with two amendments: the second pass is again a matter
-//! of two depth units, unit 1 set to EQUAL. (The authors keep the fragments apart and sort them by primitive; blending
-//! takes them in the order of submission by itself, which is onionskin's policy for equal depths.)
+//! A layer takes two geometry passes. The first is Everitt's and finds the layer's depth. The second counts and takes
+//! every fragment at exactly that depth. Here it is Listing 1 once more, with two amendments: the second pass again
+//! uses two depth units, with unit 1 set to EQUAL. (The authors keep the fragments apart and sort them by primitive;
+//! blending takes them in the order of submission by itself, which is onionskin's policy for equal depths.)
 
 use super::paper::Paper;
 use crate::papers::everitt_2001::listing_1::LISTING_1;
@@ -38,8 +38,8 @@ pub const COPLANAR_PEELING: Listing = Listing {
     },
 };
 
-/// Instead of saving the layer: the scene once more, all that lies at the layer's depth, under what there is. The query
-/// counts these fragments, so that what is missing in the end is known.
+/// Instead of saving the layer, this draws the scene once more and puts all fragments at the layer's depth under those
+/// before them. The query counts these fragments, so that the number of missing fragments is known at the end.
 pub const EVERY_FRAGMENT: Amendment = Amendment {
     key: "V3",
     place: "Listing 1, save color buffer RGBA as layer i",

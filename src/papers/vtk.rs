@@ -1,8 +1,8 @@
 //! VTK's depth peeling page: Everitt's algorithm in a toolkit.
 //!
-//! The page has no listing. What it says in prose is written out here: opaque geometry first, whose depth bounds the
-//! peels; an occlusion query on each peel; two ways to stop; and the two ways to composite that it weighs against each
-//! other. The loop itself is Everitt's Listing 1, amended.
+//! The page has no listing. Its prose is written out here. Opaque geometry comes first, and its depth bounds the peels.
+//! Each peel has an occlusion query. There are two ways to stop, and the two ways to composite that the page compares.
+//! The loop itself is Everitt's Listing 1, amended.
 
 mod requirements;
 
@@ -82,7 +82,7 @@ pub const PEELING: Resources = Resources {
     ..Resources::NONE
 };
 
-/// What Listing 1 takes for granted: something to draw into, and a program.
+/// The state that Listing 1 takes for granted: a framebuffer to draw into, and a program.
 pub const BEFORE_PEELING: Listing = Listing {
     title: "What the peels draw into, and with",
     source: "VTK, Implementation notes",
@@ -98,7 +98,7 @@ pub const BEFORE_PEELING: Listing = Listing {
 };
 
 /// The first [`Amendment`] to Listing 1: the peel's depth buffer starts from the opaque depth instead of from the far
-/// plane, so that the ordinary depth test of unit 1 culls what lies at or behind an opaque surface.
+/// plane, so that the ordinary depth test of unit 1 culls fragments at or behind an opaque surface.
 pub const CULL_BY_OPAQUE: Amendment = Amendment {
     key: "V03",
     place: "Listing 1, depth unit 1, clear depth buffer",
@@ -108,8 +108,8 @@ pub const CULL_BY_OPAQUE: Amendment = Amendment {
     test: "v03_opaque_geometry_culls_what_lies_behind_it_and_lowers_the_number_of_layers",
 };
 
-/// "An occlusion query test on each pass indicates whether that layer was empty; if it was, the algorithm halts."
-/// And only the transparent objects are peeled.
+/// "An occlusion query test on each pass indicates whether that layer was empty; if it was, the algorithm halts." Only
+/// the transparent objects are peeled.
 pub const QUERY: Amendment = Amendment {
     key: "V04",
     place: "Listing 1, render scene",
@@ -126,8 +126,8 @@ pub const QUERY: Amendment = Amendment {
     test: "v04_the_empty_layer_ends_the_loop",
 };
 
-/// The layer is saved with its depth. Its pixels are counted if the occlusion ratio asks: the query above counts every
-/// fragment that lowered the depth, which is more than the pixels that changed.
+/// The layer is saved with its depth. Its pixels are counted if there is an occlusion ratio. The query above would not
+/// do: it counts every fragment that lowered the depth, and those are more than the pixels that changed.
 pub const KEEP_DEPTH: Amendment = Amendment {
     key: "V02",
     place: "Listing 1, save color buffer RGBA as layer i",
@@ -159,8 +159,8 @@ pub const KEEP_DEPTH: Amendment = Amendment {
     test: "v02_the_loop_stops_when_a_peel_changed_fewer_pixels_than_the_ratio",
 };
 
-/// Only the layer's own pixels are read when it goes under the others, so what the rest of the color buffer holds does not
-/// matter; a layer that is saved is another thing. Clearing 32-bit float colours costs a twentieth of a peel.
+/// When a layer goes under the others, only its own pixels are read, so the rest of the color buffer does not matter.
+/// This does not hold for a layer that is saved. Clearing 32-bit float colours costs a twentieth of a peel.
 pub const NO_CLEAR: Amendment = Amendment {
     key: "V06",
     place: "Listing 1, clear color buffer",
@@ -170,7 +170,7 @@ pub const NO_CLEAR: Amendment = Amendment {
     test: "v06_both_ways_of_compositing_give_the_same_image",
 };
 
-/// Instead of saving the layer: under what has been composited so far. The query counts the layer's pixels.
+/// Instead of saving the layer, this puts it under the layers composited so far. The query counts the layer's pixels.
 pub const UNDER: Amendment = Amendment {
     key: "V06",
     place: "Listing 1, save color buffer RGBA as layer i",

@@ -1,4 +1,4 @@
-//! What all plots are drawn on: one font, and pixels.
+//! The parts that all plots share: one font, and pixels.
 
 use std::sync::Once;
 
@@ -9,7 +9,7 @@ use crate::image::Image;
 
 pub(super) const FAMILY: &str = "sans-serif";
 
-/// What a plotting library's bytes, three a pixel, show.
+/// The picture in a plotting library's bytes, three per pixel.
 pub(super) fn in_pixels((width, height): (u32, u32), bytes: &[u8]) -> Image {
     let pixel = |rgb: &[u8]| Rgba::opaque([0, 1, 2].map(|n| f32::from(rgb[n]) / 255.0));
     Image {
@@ -23,7 +23,7 @@ pub(super) fn in_pixels((width, height): (u32, u32), bytes: &[u8]) -> Image {
 pub(super) fn register_the_font() {
     static FONT: Once = Once::new();
     FONT.call_once(|| {
-        // Bundled, so that a plot is the same on every machine; it is a font that can be read, so the answer is Ok.
+        // The font is bundled, so that a plot is the same on every machine. It can be read, so the answer is Ok.
         let _ = register_font(
             FAMILY,
             FontStyle::Normal,

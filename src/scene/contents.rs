@@ -1,4 +1,4 @@
-//! A scene: all that is to be rendered.
+//! A scene: everything that an image depends on.
 
 use super::bounds::Bounds;
 use super::camera::Camera;

@@ -1,4 +1,4 @@
-//! A scene from a file, by its ending.
+//! Loading a scene from a file, by the ending of its name.
 
 use std::path::Path;
 
@@ -17,7 +17,7 @@ impl Scene {
     ///
     /// # Errors
     /// [`Error::Input`] for everything that is wrong with the file or with a file that it names. It has the file and,
-    /// as far as they are known, the line and the token. A file may be missing, too large ([`MAX_BYTES`]), not text, or
+    /// as far as they are known, the line and the token. A file may be missing, too large ([`MAX_BYTES`](super::MAX_BYTES)), not text, or
     /// truncated. A key may be unknown, a value may have the wrong type or be out of range. A face may name a vertex
     /// that does not exist, or a model may have no face to draw.
     pub fn load(path: impl AsRef<Path>) -> Result<Self> {

@@ -1,4 +1,4 @@
-//! What a caller says when a scene is loaded.
+//! The options for loading a scene.
 
 use crate::memory::MemoryLimit;
 

@@ -1,26 +1,26 @@
-//! Amendments: what stands beside a listing where it is wrong, or where a later text builds on it.
+//! Amendments: changes to a listing that is wrong, or on which a later text builds.
 
-/// The smallest change that makes a printed listing right, or that adds what another text adds. Of a listing by default,
-/// of an algorithm in pseudocode if its statements are [`Line`](super::pseudo::Line)s.
+/// The smallest change that corrects a printed listing, or that adds what another text adds. It amends a listing by
+/// default, and an algorithm in pseudocode if its statements are [`Line`](super::pseudo::Line)s.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Amendment<S: 'static> {
     /// A short name: the claim's or the erratum's key.
     pub key: &'static str,
     /// Where the change is made, in the paper's words.
     pub place: &'static str,
-    /// The steps as printed, consecutive; replaced wherever the listing has them.
+    /// The printed steps, which are consecutive. They are replaced wherever the listing has them.
     pub printed: &'static [S],
-    /// What stands there instead.
+    /// The steps that replace them.
     pub amended: &'static [S],
-    /// Why.
+    /// The reason.
     pub why: &'static str,
     /// The test that fails without it.
     pub test: &'static str,
 }
 
-/// A statement that may have others inside.
+/// A statement that may contain others.
 pub trait Statement: PartialEq + Sized + 'static {
-    /// What is inside: nothing, a body, or two branches.
+    /// The statements inside: none, a body, or two branches.
     fn bodies(&self) -> [&'static [Self]; 2];
 
     /// The statements of another text, and how they are amended, if this one runs it.
@@ -33,8 +33,8 @@ pub trait Statement: PartialEq + Sized + 'static {
 pub type Ran<S> = (&'static [S], &'static [Amendment<S>]);
 
 impl<S: Statement> Amendment<S> {
-    /// How often `statements` have what this amendment replaces, nested ones included. An amendment that is found nowhere
-    /// changes nothing, so tests ask.
+    /// How often `statements`, nested ones included, have the steps that this amendment replaces. An amendment that is
+    /// found nowhere changes nothing, so tests check this.
     pub fn occurrences(&self, statements: &[S]) -> usize {
         let here = statements
             .windows(self.printed.len().max(1))
@@ -60,7 +60,7 @@ impl<S> Clone for Scope<'_, S> {
 
 impl<S> Copy for Scope<'_, S> {}
 
-/// What a walk meets.
+/// An element of a walk: an amendment or a statement.
 #[derive(Debug)]
 pub enum Met<'a, S: 'static> {
     /// An amendment: the statements that follow are its own.
@@ -86,10 +86,11 @@ impl<'a, S: PartialEq> Scope<'a, S> {
         }
     }
 
-    /// The statements in their order, with amendments in place. What is inside of a statement is walked by whoever knows
-    /// how often.
+    /// The statements in their order, with amendments applied. The caller walks the statements inside of a statement,
+    /// because only the caller knows how often.
     ///
-    /// What an amendment puts in is not amended again by the list that it is from: it usually contains what it replaces.
+    /// The statements of an amendment are not amended again by the amendment's own list, because they usually contain
+    /// the statements that they replace.
     pub fn walk(self, statements: &'static [S]) -> impl Iterator<Item = Met<'a, S>> {
         let mut ahead = vec![(statements, self)];
         std::iter::from_fn(move || {

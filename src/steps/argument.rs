@@ -1,4 +1,4 @@
-//! What a call's arguments have in common: how they print, and what they name.
+//! The arguments of calls: how they are printed, and what they name.
 
 use super::names::{Index, Map, Name, Number, Query, Shader, Storage, Target};
 use crate::error::Result;
@@ -17,7 +17,7 @@ pub(super) trait Argument: Clone {
     /// The argument with its variables replaced by their values. Plain values have none.
     ///
     /// # Errors
-    /// Those of `values`.
+    /// The errors of `values`.
     fn resolved(&self, _values: Values<'_>) -> Result<Self> {
         Ok(self.clone())
     }

@@ -1,10 +1,10 @@
-//! The calls: one table, one line a call.
+//! The calls: one table with one line per call.
 //!
-//! A line makes the call's variant of [`Call`], the constructor that listings call it by, the text that traces and
-//! listings print, and the reading of its arguments: what they name, and what becomes of their variables. What a call
-//! *does* is each machine's business.
+//! From a line the macro makes the call's variant of [`Call`], its constructor for listings, its printed text, and the
+//! functions that read its arguments: the names in them, and the values of their variables. What a call *does* is up to
+//! each machine.
 //!
-//! The spelling is OpenGL's wherever OpenGL has the call.
+//! If OpenGL has the call, the spelling is OpenGL's.
 
 use std::fmt;
 
@@ -14,10 +14,11 @@ use super::constants::*;
 use super::names::{Map, Name, Number, Query, Shader, Storage, Target};
 use crate::error::Result;
 
-/// A line is `Variant: constructor(argument: Type, ...);`, and is printed just so. Where the printed text is another, it
-/// follows: `=> "name"(argument, other name = value, ...)`.
+/// A line is `Variant: constructor(argument: Type, ...);`, and the call is printed like that. If the printed text
+/// differs, it follows: `=> "name"(argument, other name = value, ...)`.
 ///
-/// The head names the enum, the module of its constructors, and what makes the result of a constructor a [`Call`].
+/// The head names the enum, the module of its constructors, and the function that makes a [`Call`] from a constructor's
+/// result.
 macro_rules! calls {
     (
         $(#[$about:meta])*
@@ -72,7 +73,7 @@ macro_rules! calls {
                 found.into_iter()
             }
 
-            /// The call with the values of variables in their places.
+            /// The call with its variables replaced by their values.
             pub(super) fn resolved(&self, values: Values<'_>) -> Result<Self> {
                 Ok(match self {
                     $(Self::$variant $({ $($field),+ })? => {
@@ -84,7 +85,7 @@ macro_rules! calls {
         }
 
         impl fmt::Display for $enum {
-            /// With its arguments named: `glDepthFunc(func = GL_LESS)`.
+            /// Prints the call with its arguments named: `glDepthFunc(func = GL_LESS)`.
             fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
                 let (name, arguments) = self.signature();
                 let named: Vec<_> = arguments
@@ -97,7 +98,7 @@ macro_rules! calls {
     };
 }
 
-/// A call's name and arguments as they are printed: what the line says, or what it says after its `=>`.
+/// A call's name and arguments as they are printed: those of the line, or those after its `=>`.
 macro_rules! printed {
     ($function:ident [$($field:ident)*]) => {
         (stringify!($function), vec![$((stringify!($field), $field.text())),*])
@@ -126,7 +127,7 @@ calls! {
         StencilMask: glStencilMask(mask: u32) => "glStencilMask"(mask = bits(*mask));
         StencilFunc: glStencilFunc(func: Compare, reference: i32, mask: u32)
             => "glStencilFunc"(func, ref = reference, mask = bits(*mask));
-        /// `glStencilFunc` with a reference that is computed.
+        /// `glStencilFunc` with a computed reference.
         StencilReference: stencilReference(func: Compare, reference: Number<i32>, mask: u32)
             => "glStencilFunc"(func, ref = reference, mask = bits(*mask));
         StencilOp: glStencilOp(sfail: StencilOp, dpfail: StencilOp, dppass: StencilOp);
@@ -152,17 +153,17 @@ calls! {
             => "glActiveTexture"(texture = format!("GL_TEXTURE{unit}"));
         BindTexture: glBindTexture(texture: Map)
             => "glBindTexture"(target = "GL_TEXTURE_2D", texture);
-        /// `glSamplerParameteri` with `GL_TEXTURE_COMPARE_FUNC`, on the sampler of texture unit 0, whose compare mode is
-        /// always on: the shadow lookup. A sampler rather than the texture, so that the same depth buffer can be looked
-        /// up as plain numbers by another unit.
+        /// `glSamplerParameteri` with `GL_TEXTURE_COMPARE_FUNC`, on the sampler of texture unit 0, whose compare mode
+        /// is always on: the shadow lookup. It is set on a sampler and not on the texture, so that another unit can
+        /// look up the same depth buffer as plain numbers.
         SamplerCompareFunc: glSamplerCompareFunc(func: Compare)
             => "glSamplerParameteri"(sampler = "shadow", pname = "GL_TEXTURE_COMPARE_FUNC", param = func);
         UseProgram: glUseProgram(program: Shader);
-        /// `glUseProgram` with that one of a row of programs whose Local Array has so many elements (Lindholm et al. 2015,
-        /// section 5.1: "the individual instances only differ by a single number").
+        /// `glUseProgram` with the one of a row of programs whose Local Array has so many elements (Lindholm et al.
+        /// 2015, section 5.1: "the individual instances only differ by a single number").
         UseProgramOfSize: useProgramOfSize(program: Shader, size: Number<u32>)
             => "glUseProgram"(program, N = size);
-        /// `glUniform1f` of the current program; the listing's variable of the uniform's name is its value.
+        /// `glUniform1f` of the current program. The value is that of the listing's variable with the uniform's name.
         Uniform: uniform(name: &'static str, value: Number<f32>)
             => "glUniform1f"(location = name, v0 = value);
         /// `glBindImageTexture`, for reading and writing.
@@ -188,18 +189,18 @@ calls! {
         /// `glCopyImageSubData` of a whole image, every aspect. A destination that does not exist yet is made.
         CopyImage: glCopyImageSubData(from: Map, to: Map)
             => "glCopyImageSubData"(src = from, dst = to);
-        /// `swap(a, b)`: from here on each of two maps goes by the other's name. What is bound or attached stays so.
+        /// `swap(a, b)`: from here on each of two maps has the other's name. Bindings and attachments do not change.
         Swap: swap(a: Map, b: Map);
-        /// Draws all of these.
+        /// Draws all of these objects.
         Draw: draw(objects: Objects) => (objects.drawn_by())();
     }
     or
-    /// One of the OpenGL of 2001.
+    /// A call of the OpenGL of 2001.
     Classic(ClassicCall)
 }
 
 calls! {
-    /// One call of the OpenGL of 2001.
+    /// A call of the OpenGL of 2001.
     ClassicCall in classic_functions as Call::Classic {
         ActiveTexture: glActiveTextureARB(unit: u32)
             => "glActiveTextureARB"(texture = format!("GL_TEXTURE{unit}_ARB"));
@@ -241,8 +242,8 @@ calls! {
         EyePlanes: eye_planes(planes: [[f32; 4]; 4]) => "eye_linear_texgen"(planes);
         /// The paper's `texgen(true)`: enables generation of all four coordinates.
         Texgen: texgen(on: bool) => "texgen"(on = on.to_string());
-        /// `glCopyTexSubImage2D` of a whole depth buffer into a rectangle texture of its size and format, made if it is not
-        /// there.
+        /// `glCopyTexSubImage2D` of a whole depth buffer into a rectangle texture of its size and format, which is made
+        /// if it is missing.
         CopyToRectangle: glCopyTexSubImage2D(from: Map, to: Map)
             => "glCopyTexSubImage2D"(target = TextureTarget::Rectangle, from, to);
     }

@@ -14,7 +14,8 @@ use super::names::{Index, Map, Name, Query};
 use super::resources::Resources;
 use crate::error::{Error, Result, did_you_mean};
 
-/// What there is for listings to name. Variables that a listing sets and queries that it makes are its own.
+/// The resources that listings may name. A listing may also name the variables that it sets and the queries that it
+/// makes.
 #[derive(Clone, Debug, Default)]
 pub struct Known {
     resources: Vec<&'static Resources>,
@@ -23,7 +24,7 @@ pub struct Known {
 }
 
 impl Known {
-    /// These shaders, by name, and nothing else. Which there are only a machine knows.
+    /// The names of these shaders, and nothing else. Only a machine knows which shaders exist.
     pub fn shaders(shaders: impl IntoIterator<Item = &'static str>) -> Self {
         Self {
             shaders: shaders.into_iter().collect(),
@@ -85,7 +86,7 @@ pub fn check(listing: &Listing, amendments: &[Amendment], known: &Known) -> Resu
     Ok(())
 }
 
-/// Everything that a listing names, each with where, and what it sets and makes itself.
+/// Everything that a listing names, each with its place, and the names that it sets and makes itself.
 #[derive(Default)]
 struct Found {
     names: Vec<(Name, String)>,
@@ -236,7 +237,7 @@ impl Names {
         }
     }
 
-    /// One of a row is known if the row is, under whatever variable.
+    /// A map of a row is known if the row is, with any variable.
     fn expect_map(&self, map: Map) -> std::result::Result<(), Unknown> {
         let same = |other: &Map| {
             other.name == map.name

@@ -1,4 +1,4 @@
-//! The OpenGL of 2001: what core profiles no longer have, under its own names.
+//! The OpenGL of 2001: calls that core profiles no longer have, under their own names.
 //!
 //! Alpha test, texture coordinate generation and texture matrices, depth textures and their comparison (ARB_shadow,
 //! SGIX_shadow before it), rectangle textures, the texture environment, and the part of NV_texture_shader that
@@ -9,7 +9,7 @@ use super::argument::Argument;
 use super::constants::constants;
 
 constants! {
-    /// What the classic `glEnable` turns on.
+    /// The capabilities of the classic `glEnable`.
     ClassicCapability {
         AlphaTest = "ALPHA_TEST",
         Texture2D = "TEXTURE_2D",
@@ -17,7 +17,7 @@ constants! {
         TextureShader = "TEXTURE_SHADER_NV",
     }
 
-    /// What kind of texture a unit looks up.
+    /// The kind of texture that a unit looks up.
     TextureTarget {
         /// Coordinates from 0 to 1.
         Texture2D = "TEXTURE_2D",
@@ -34,7 +34,7 @@ constants! {
         PreviousTextureInput = "PREVIOUS_TEXTURE_INPUT_NV",
     }
 
-    /// What a depth texture's value becomes (`GL_DEPTH_TEXTURE_MODE`).
+    /// The colour of a depth texture's value (`GL_DEPTH_TEXTURE_MODE`).
     #[derive(Default)]
     DepthTextureMode {
         /// (D, D, D, 1)
@@ -46,7 +46,7 @@ constants! {
         Alpha = "ALPHA",
     }
 
-    /// Which matrix stack the matrix calls go to.
+    /// The matrix stack to which matrix calls go.
     #[derive(Default)]
     MatrixMode {
         #[default]

@@ -1,4 +1,5 @@
-//! Listing 1's imaginary OpenGL, on the OpenGL of 2001: what [`DepthUnits`](super::DepthUnits) is for the one of today.
+//! Listing 1's imaginary OpenGL, on the OpenGL of 2001. [`DepthUnits`](super::DepthUnits) does the same on the OpenGL
+//! of today.
 //!
 //! | listing | depth unit 0 |
 //! | --- | --- |
@@ -18,12 +19,12 @@ use super::names::{Query, Shader};
 use super::walk::Machine;
 use crate::error::Result;
 
-/// A machine with two depth units, made of one with classic calls.
+/// A machine with two depth units, made from one with classic calls.
 #[derive(Debug)]
 pub struct ClassicDepthUnits<'a, M> {
     units: DepthUnits<'a, M>,
     active: u8,
-    /// What draws in place of `peel`.
+    /// The program that draws in place of `peel`.
     fixed_functions: Shader,
 }
 
@@ -31,7 +32,8 @@ pub struct ClassicDepthUnits<'a, M> {
 const SHADOW_UNIT: u32 = 3;
 
 impl<'a, M: Machine> ClassicDepthUnits<'a, M> {
-    /// Unit 0 tests nothing yet. `fixed_functions` draws surfaces: `classic/fixed` or `classic/depth_replace`.
+    /// A machine whose unit 0 tests nothing yet. `fixed_functions` draws surfaces: `classic/fixed` or
+    /// `classic/depth_replace`.
     pub fn new(machine: &'a mut M, fixed_functions: Shader) -> Self {
         Self {
             units: DepthUnits::new(machine),
@@ -76,7 +78,7 @@ impl<M: Machine> Machine for ClassicDepthUnits<'_, M> {
         match *call {
             Call::ActiveDepthUnit { unit } => {
                 self.active = unit;
-                // Whether there is such a unit, and what is refused in unit 0, is the other one's business.
+                // `DepthUnits` checks that the unit exists, and refuses calls that unit 0 cannot perform.
                 self.units.perform(call)
             }
             Call::UseProgram {

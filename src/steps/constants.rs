@@ -46,7 +46,7 @@ constants! {
         Always = "ALWAYS",
     }
 
-    /// What a stencil test does to the stored value.
+    /// The operation of a stencil test on the stored value.
     StencilOp {
         /// Keep it.
         Keep = "KEEP",
@@ -80,11 +80,11 @@ constants! {
     BlendEquation {
         /// Their sum, each times its factor.
         FuncAdd = "FUNC_ADD",
-        /// The larger of the two, channel by channel; factors play no part.
+        /// The larger of the two, channel by channel, without factors.
         Max = "MAX",
     }
 
-    /// What `glEnable` turns on.
+    /// The capabilities of `glEnable`.
     Capability {
         DepthTest = "DEPTH_TEST",
         StencilTest = "STENCIL_TEST",
@@ -93,7 +93,7 @@ constants! {
     }
 }
 
-/// What `glClear` clears.
+/// The bits of `glClear`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[allow(missing_docs)] // the names say it
 pub struct Buffers {
@@ -114,18 +114,18 @@ impl Argument for Buffers {
     }
 }
 
-/// What is drawn.
+/// The objects of a draw.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Objects {
     /// Everything, in the order of submission.
     Scene,
-    /// What is opaque.
+    /// Opaque objects.
     Opaque,
-    /// What is not.
+    /// Objects that are not opaque.
     Transparent,
-    /// What is not opaque, of meshes whose triangles are exactly sorted.
+    /// Objects that are not opaque, in meshes whose triangles are sorted exactly.
     Sorted,
-    /// What is not opaque, of all other meshes.
+    /// Objects that are not opaque, in all other meshes.
     Unsorted,
     /// The boxes around the volumes.
     Proxies,

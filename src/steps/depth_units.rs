@@ -10,8 +10,8 @@
 //! | enable, disable depth test | that function, or `ALWAYS` | `glEnable`, `glDisable` |
 //! | disable depth writes | nothing to do: a texture is not written | `glDepthMask` |
 //!
-//! The shader discards where the lookup answers 0; Everitt writes the answer into alpha and lets the alpha test
-//! discard, which is the same thing in the GL of his year.
+//! The shader discards a fragment if the lookup answers 0. Everitt writes the answer into alpha and lets the alpha test
+//! discard, which is the same in the GL of his year.
 
 use super::call::Call;
 use super::constants::{Buffers, Capability, Compare};
@@ -19,19 +19,19 @@ use super::names::Query;
 use super::walk::Machine;
 use crate::error::{Error, Result};
 
-/// A machine with two depth units, made of one with a single depth buffer and shadow lookups.
+/// A machine with two depth units, made from one with a single depth buffer and shadow lookups.
 #[derive(Debug)]
 pub struct DepthUnits<'a, M> {
     machine: &'a mut M,
-    /// Which unit calls go to. Unit 1 is the ordinary depth buffer, so outside a `depth unit` block that is meant.
+    /// The unit to which calls go. Outside of a `depth unit` block it is unit 1, the ordinary depth buffer.
     active: u8,
-    /// Unit 0's comparison, and whether its test is enabled; two states in the listing, one in a texture.
+    /// Unit 0's comparison, and whether its test is enabled. These are two states in the listing, and one in a texture.
     func: Compare,
     enabled: bool,
 }
 
 impl<'a, M: Machine> DepthUnits<'a, M> {
-    /// Both units tested by the rest of the calls: unit 0 not at all yet.
+    /// A machine whose unit 0 tests nothing yet.
     pub fn new(machine: &'a mut M) -> Self {
         Self {
             machine,
@@ -73,7 +73,7 @@ impl<'a, M: Machine> DepthUnits<'a, M> {
                 ),
                 "let depth unit 1 do it",
             )),
-            // Color, stencil and draws are nobody's in particular.
+            // Color, stencil and draws belong to no unit.
             _ => self.machine.perform(call),
         }
     }

@@ -6,14 +6,14 @@ use std::fmt;
 use super::constants::Compare;
 use super::names::Query;
 
-/// A number that is computed while a listing runs.
+/// An expression, which is computed while a listing runs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Expr {
     /// A constant.
     Number(f64),
     /// A variable's value.
     Variable(&'static str),
-    /// How many samples an occlusion query has counted (`glGetQueryObject`).
+    /// The number of samples that an occlusion query has counted (`glGetQueryObject`).
     Samples(Query),
     /// `a + b`
     Sum(&'static Expr, &'static Expr),
@@ -30,7 +30,7 @@ pub enum Expr {
 pub struct Condition {
     /// Left side.
     pub left: Expr,
-    /// How they are compared; `NEVER` and `ALWAYS` look at neither.
+    /// The comparison. `NEVER` and `ALWAYS` look at neither side.
     pub compare: Compare,
     /// Right side.
     pub right: Expr,
@@ -46,7 +46,7 @@ impl Variables {
         Self::default()
     }
 
-    /// With one more, or another value.
+    /// The same variables with one more, or with another value.
     #[must_use]
     pub fn with(mut self, name: &'static str, value: f64) -> Self {
         self.set(name, value);
@@ -65,7 +65,7 @@ impl Variables {
 }
 
 impl Compare {
-    /// Whether `left` stands to `right` as the comparison says.
+    /// Whether the comparison holds between `left` and `right`.
     pub fn holds<T: PartialOrd>(self, left: T, right: T) -> bool {
         match self {
             Self::Never => false,
@@ -79,7 +79,7 @@ impl Compare {
         }
     }
 
-    /// As C writes it.
+    /// The comparison as C writes it.
     pub(super) fn operator(self) -> &'static str {
         match self {
             Self::Never => "never",

@@ -1,6 +1,6 @@
-//! How maps store their texels.
+//! Formats of maps.
 
-/// How a map stores its texels.
+/// The format of a map's texels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Format {
     /// Four bytes, each 0 to 1 in 256 steps.
@@ -23,7 +23,7 @@ pub enum Format {
     Rgba32Ui,
     /// 32-bit float depth with 8 bits of stencil.
     Depth32FStencil8,
-    /// 24-bit fixed-point depth with 8 bits of stencil. Sampled on llvmpipe it is not what was stored.
+    /// 24-bit fixed-point depth with 8 bits of stencil. On llvmpipe, a sampled depth differs from the stored one.
     Depth24Stencil8,
     /// 16-bit fixed-point depth. OpenGL has no such format with a stencil.
     Depth16,
@@ -74,7 +74,7 @@ impl Format {
         )
     }
 
-    /// Whether it stores depths as they come, without rounding them to steps.
+    /// Whether it stores depths as floats, without rounding them to steps.
     pub const fn has_float_depth(self) -> bool {
         matches!(self, Self::Depth32FStencil8 | Self::Depth32F)
     }

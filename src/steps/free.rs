@@ -1,4 +1,4 @@
-//! Which variables a listing reads and never sets: they must be given to it.
+//! Free variables: those that a listing reads and never sets, so that a caller must set them.
 
 use std::collections::BTreeSet;
 
@@ -8,8 +8,8 @@ use super::listing::Amendment;
 use super::listing::{Listing, Step};
 use super::names::Name;
 
-/// The names of the variables that a listing or one of its amendments reads and that nothing in it sets, in alphabetical
-/// order. What it reads only where an amendment stands instead is among them.
+/// The names of the variables that a listing or one of its amendments reads and that nothing in it sets, in
+/// alphabetical order. They include variables that are read only in steps that an amendment replaces.
 pub fn free_variables(listing: &Listing, amendments: &[Amendment]) -> Vec<&'static str> {
     let mut found = Found::default();
     found.steps(listing.steps);

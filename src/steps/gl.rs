@@ -1,7 +1,7 @@
 //! OpenGL's calls and constants under OpenGL's names, so that a listing reads like the paper's.
 //!
-//! Each function only makes the [`Call`]; nothing here calls GL. Most come from the table of calls. Constants stand
-//! without their `GL_`, as Carr et al. print them.
+//! Each function only makes a [`Call`]; nothing here calls GL. Most functions come from the table of calls. Constants
+//! have no `GL_` prefix, as Carr et al. print them.
 
 #![allow(non_snake_case, missing_docs)] // GL's own names; the GL specification is their manual
 
@@ -74,7 +74,7 @@ pub const DEPTH_AND_STENCIL_BUFFER_BITS: Buffers = Buffers {
     stencil: true,
 };
 
-/// The variable of the same name is the value.
+/// The value is that of the variable with the same name.
 pub const fn glUniform1f(name: &'static str) -> Call {
     uniform(name, Number::Variable(name))
 }
@@ -89,32 +89,32 @@ pub const fn glStencilReference(func: Compare, variable: &'static str, mask: u32
     stencilReference(func, Number::Variable(variable), mask)
 }
 
-/// Everything that is not opaque, in the order of submission.
+/// Draws all objects that are not opaque, in the order of submission.
 pub const fn drawTransparentObjects() -> Call {
     draw(Objects::Transparent)
 }
 
-/// Of what is not opaque, the meshes whose triangles are exactly sorted, front to back.
+/// Draws the objects that are not opaque and whose triangles are sorted exactly, front to back.
 pub const fn drawSortedObjects() -> Call {
     draw(Objects::Sorted)
 }
 
-/// Of what is not opaque, all other meshes.
+/// Draws the other objects that are not opaque.
 pub const fn drawUnsortedObjects() -> Call {
     draw(Objects::Unsorted)
 }
 
-/// Everything that is opaque.
+/// Draws all opaque objects.
 pub const fn drawOpaqueObjects() -> Call {
     draw(Objects::Opaque)
 }
 
-/// The volumes' proxy geometry: the box around each.
+/// Draws the volumes' proxy geometry: the box around each volume.
 pub const fn drawProxies() -> Call {
     draw(Objects::Proxies)
 }
 
-/// A viewport-sized quad.
+/// Draws a quad of the viewport's size.
 pub const fn drawScreen() -> Call {
     draw(Objects::Screen)
 }

@@ -1,5 +1,5 @@
-//! The classic calls under their names, with the constants' `GL_` as Listing 2 prints them. Where a core call has the
-//! name already (`glEnable`, `glBindTexture`), the classic one says so in its own.
+//! The classic calls under their names, with the constants' `GL_` as Listing 2 prints them. If a core call has the same
+//! name (`glEnable`, `glBindTexture`), the classic one has a longer name.
 
 #![allow(non_snake_case, missing_docs)] // GL's own names, and the paper's; the extensions' specifications are their manual
 

@@ -1,4 +1,4 @@
-//! The branches of a listing: what the papers write around the calls.
+//! Listings, and the statements that papers write around calls.
 
 use super::amend::{self, Ran, Statement};
 use super::call::Call;
@@ -10,22 +10,22 @@ pub type Amendment<S = Step> = amend::Amendment<S>;
 /// A listing as its paper prints it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Listing {
-    /// What it does, in a line.
+    /// A title that says what it does.
     pub title: &'static str,
     /// Where it is printed: paper, section, listing.
     pub source: &'static str,
-    /// How its paper writes.
+    /// The paper's way of writing.
     pub dialect: Dialect,
-    /// What it says.
+    /// The steps.
     pub steps: &'static [Step],
 }
 
-/// How a paper writes its listings.
+/// A paper's way of writing listings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Dialect {
     /// Everitt's: C's loops around English.
     Phrases,
-    /// OpenGL calls, one a line.
+    /// OpenGL calls, one per line.
     Calls,
     /// Everitt's Listing 2: C source, constants with their `GL_`.
     Source,
@@ -36,11 +36,11 @@ pub enum Dialect {
 pub enum Step {
     /// A call.
     Call(Call),
-    /// `depth unit 0:` and the calls that go to it.
+    /// `depth unit 0:` and the calls for this unit.
     DepthUnit {
-        /// Which.
+        /// The unit's number.
         unit: u8,
-        /// What it is told.
+        /// The calls.
         body: &'static [Step],
     },
     /// `A = i % 2`
@@ -52,11 +52,11 @@ pub enum Step {
     },
     /// `if (...) ... else ...`
     If {
-        /// Which way.
+        /// The condition.
         condition: Condition,
-        /// If it holds.
+        /// The steps if it holds.
         then: &'static [Step],
-        /// If it does not.
+        /// The steps if it does not.
         otherwise: &'static [Step],
     },
     /// `for (i=0; i<n; i++)`: up from `from`, while below `to`.
@@ -65,9 +65,9 @@ pub enum Step {
         variable: &'static str,
         /// Its first value.
         from: Expr,
-        /// The first value that it does not take; may be infinite.
+        /// The first value that it does not take. It may be infinite.
         to: Expr,
-        /// What is repeated.
+        /// The repeated steps.
         body: &'static [Step],
     },
     /// `for (i=n-1; i>=0; i--)`: the same numbers from the last to the first.
@@ -76,7 +76,7 @@ pub enum Step {
         variable: &'static str,
         /// One more than its first value.
         from: Expr,
-        /// What is repeated.
+        /// The repeated steps.
         body: &'static [Step],
     },
     /// Leaves the innermost loop if the condition holds, and says why.
@@ -86,11 +86,11 @@ pub enum Step {
         /// Why.
         why: Reason,
     },
-    /// Another listing, as amended here.
+    /// Runs another listing, as amended here.
     Run {
-        /// Which.
+        /// The listing.
         listing: &'static Listing,
-        /// With what replaced in it.
+        /// The amendments to it.
         amendments: &'static [Amendment],
     },
 }
@@ -119,7 +119,7 @@ impl Statement for Step {
     }
 }
 
-/// Why a loop was left.
+/// The reason for which a loop was left.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Reason {
     /// The last peel found nothing: everything has been peeled.
@@ -128,11 +128,11 @@ pub enum Reason {
     OcclusionRatio,
     /// The maximum number of peels was reached.
     PeelLimit,
-    /// It went on for more iterations than a right algorithm can need: it would never have ended.
+    /// It had more iterations than a right algorithm can need, so it would never have ended.
     NoEnd,
-    /// The local array was full, and what did not fit was dropped.
+    /// The Local Array was full, and the fragments that did not fit were dropped.
     ArrayFull,
-    /// Rays ended where too little light came through.
+    /// Rays ended because too little light came through.
     EarlyTermination,
 }
 

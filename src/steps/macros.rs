@@ -30,7 +30,8 @@ macro_rules! steps {
     };
 }
 
-/// One rule a kind of step: takes the first step off, puts it behind those that are done, and goes on with the rest.
+/// There is one rule per kind of step. It takes the first step, puts it behind those that are done, and goes on with
+/// the rest.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! steps_of {

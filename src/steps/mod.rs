@@ -1,4 +1,4 @@
-//! The vocabulary: what the papers print, as plain data.
+//! The vocabulary of listings: what the papers print, as plain data.
 //!
 //! # The model
 //!
@@ -9,16 +9,16 @@
 //!
 //! One constant, many readers:
 //!
-//! - [`run`] walks the tree, evaluates the variables, and hands each call, with every name resolved, to a
-//!   [`Machine`]. GL is one machine (`gl/`), [`Recorder`] is another: what it has recorded is the flat trace.
-//! - [`DepthUnits`] stands between the two where a listing asks for an OpenGL with several depth units, and turns such
-//!   calls into those of a real one.
-//! - [`print`](mod@print) writes a listing the way its paper does, which tests hold against a transcript.
+//! - [`run`] walks the tree, evaluates the variables, and hands each call, with every name resolved, to a [`Machine`].
+//!   GL is one machine (`gl/`), [`Recorder`] is another, which records the flat trace.
+//! - [`DepthUnits`] stands between the two if a listing asks for an OpenGL with several depth units. It turns such
+//!   calls into calls of a real OpenGL.
+//! - [`print`](mod@print) writes a listing as its paper does, which tests hold against a transcript.
 //!
-//! State persists from listing to listing, as in GL: nothing here resets anything that the listing does not reset.
+//! State persists from listing to listing, as in GL. Nothing here resets state that the listing does not reset.
 //!
-//! Where a printed listing is wrong, or where another text extends it, an [`Amendment`] says which steps are replaced
-//! by which. Listings themselves are never edited: [`run`] applies amendments as it walks.
+//! If a printed listing is wrong, or another text extends it, an [`Amendment`] says which steps replace which. Listings
+//! themselves are never edited: [`run`] applies amendments as it walks.
 
 mod amend;
 mod argument;

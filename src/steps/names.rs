@@ -1,32 +1,32 @@
-//! What listings name: maps, framebuffers, programs, buffers, queries and variables. Resources are named rather than
-//! numbered, and a machine keeps the tables of names.
+//! The names in listings: maps, framebuffers, programs, buffers, queries and variables. Resources have names and not
+//! numbers, and a machine keeps the tables of names.
 
 use std::fmt;
 
 use crate::error::{Error, Result};
 
-/// A texture by the name that the text has for it, with a number where there is a row of them (`layer 3`).
+/// A texture by its name in the text, with a number if there is a row of textures (`layer 3`).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Map {
     /// The text's name.
     pub name: &'static str,
-    /// Which of them.
+    /// Which one of a row.
     pub index: Index,
 }
 
-/// Which of a row of maps.
+/// The number of a map in a row of maps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Index {
     /// There is only one.
     Only,
-    /// This one.
+    /// The map with this number.
     Number(u32),
-    /// The one a variable says; [`run`](crate::steps::run) resolves it before a machine sees it.
+    /// The map whose number is a variable's value. [`run`](crate::steps::run) resolves it before a machine sees it.
     Variable(&'static str),
 }
 
-/// A framebuffer by name. Which maps it draws to is state, set by [`Call::AttachColor`](super::Call::AttachColor) and
-/// [`Call::AttachDepth`](super::Call::AttachDepth).
+/// A framebuffer by name. The maps to which it draws are state, set by [`Call::AttachColor`](super::Call::AttachColor)
+/// and [`Call::AttachDepth`](super::Call::AttachDepth).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Target(pub &'static str);
 
@@ -42,19 +42,19 @@ pub struct Storage(pub &'static str);
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Query(pub &'static str);
 
-/// A number that a call is given, or the variable that says it.
+/// A number of a call, or the variable whose value it is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Number<T> {
     /// This number.
     Known(T),
-    /// The variable's value; [`run`](crate::steps::run) puts it in place before a machine sees it.
+    /// The variable's value. [`run`](crate::steps::run) resolves it before a machine sees it.
     Variable(&'static str),
 }
 
 /// Something that a call names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Name {
-    /// A map; the variable that says which of a row is named besides.
+    /// A map. The variable that gives its number in a row is named separately.
     Map(Map),
     /// A framebuffer.
     Target(Target),
@@ -69,7 +69,7 @@ pub enum Name {
 }
 
 impl Map {
-    /// The only one of that name.
+    /// The only resource of this name.
     pub const fn named(name: &'static str) -> Self {
         Self {
             name,
@@ -108,7 +108,7 @@ impl<T: Copy> Number<T> {
     /// The number.
     ///
     /// # Errors
-    /// It is still a variable: the call was not resolved.
+    /// If it is still a variable, because the call was not resolved.
     pub fn known(self) -> Result<T> {
         match self {
             Self::Known(number) => Ok(number),

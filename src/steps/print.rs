@@ -1,4 +1,4 @@
-//! Printing: a listing the way its paper writes it.
+//! Printing listings as their papers write them.
 
 use std::fmt;
 
@@ -9,7 +9,7 @@ use super::expr::Condition;
 use super::listing::{Amendment, Dialect, Listing, Step};
 use super::names::{Index, Map};
 
-/// The listing as its paper prints it, with `amendments` in place; without any, as printed.
+/// The listing as its paper prints it, with `amendments` applied. Without any amendment, it is as printed.
 pub fn listing(listing: &Listing, amendments: &[Amendment]) -> String {
     let mut printer = Printer {
         dialect: listing.dialect,
@@ -158,7 +158,7 @@ fn short_form(call: &Call) -> Option<String> {
     }
 }
 
-/// As C source with every `GL_` in place, for what Listing 2 has.
+/// The call as C source with every `GL_` prefix, for the calls of Listing 2.
 fn source(call: &Call) -> Option<String> {
     match call {
         Call::Classic(ClassicCall::SetM { rows }) => Some(assignments(rows)),
@@ -171,7 +171,7 @@ fn source(call: &Call) -> Option<String> {
     }
 }
 
-/// Sixteen assignments, four to a line.
+/// Sixteen assignments, four per line.
 fn assignments(rows: &[[f32; 4]; 4]) -> String {
     let lines = rows.iter().enumerate().map(|(row, values)| {
         let sets = values.iter().enumerate();
@@ -183,7 +183,7 @@ fn assignments(rows: &[[f32; 4]; 4]) -> String {
     lines.collect::<Vec<_>>().join("\n")
 }
 
-/// How Everitt says it, if he does.
+/// The call in Everitt's words, or `None` if he has none for it.
 fn phrase(call: &Call) -> Option<String> {
     Some(match *call {
         Call::Clear {

@@ -1,12 +1,13 @@
 //! Algorithms that a paper prints as pseudocode rather than as calls, line by line.
 //!
 //! Where a [`Listing`](super::Listing) sets a pipeline's state, an [`Algorithm`] says what happens at each pixel and to
-//! each fragment: Carr et al.'s Algorithms 1 and 2. The emulator runs it as it stands; what OpenGL runs instead stands
-//! beside it in `papers/`, and tests hold the two against each other.
+//! each fragment: Carr et al.'s Algorithms 1 and 2. The emulator runs it as it stands. OpenGL runs a listing that
+//! stands beside it in `papers/`, and tests compare the two.
 //!
-//! Algorithms on lists of fragments that are there already are written in the statements of [`list`].
+//! Algorithms on finished lists of fragments are written in the statements of [`list`].
 //!
-//! Every variable is per pixel, but for `gChanged`, which is one for all. Flags are numbers: `true` is 1, `false` is 0.
+//! Every pixel has its own variables, except `gChanged`, which all pixels share. Flags are numbers: `true` is 1,
+//! `false` is 0.
 
 pub mod list;
 mod macros;
@@ -24,7 +25,7 @@ pub struct Algorithm<L: 'static = Line> {
     pub title: &'static str,
     /// Where it is printed.
     pub source: &'static str,
-    /// What it says.
+    /// The lines.
     pub lines: &'static [L],
 }
 
@@ -35,27 +36,27 @@ pub enum Line {
     Pixels(&'static [Line]),
     /// `for all ... geometry ... do`: once per fragment, in the order of submission.
     Fragments {
-        /// Of which objects.
+        /// The objects.
         of: Objects,
-        /// How the paper says it.
+        /// The paper's words for them.
         phrase: &'static str,
-        /// What is done with each.
+        /// The lines for each fragment.
         body: &'static [Line],
     },
     /// `while flag = true do`
     While {
         /// The flag.
         flag: &'static str,
-        /// What is repeated.
+        /// The repeated lines.
         body: &'static [Line],
     },
     /// `if ... then ... else ...`
     If {
-        /// Which way.
+        /// The condition.
         test: Test,
-        /// If it holds.
+        /// The lines if it holds.
         then: &'static [Line],
-        /// If it does not.
+        /// The lines if it does not.
         otherwise: &'static [Line],
     },
     /// `variable <- value`
@@ -85,7 +86,7 @@ impl Statement for Line {
     }
 }
 
-/// What an assignment assigns.
+/// The value of an assignment.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Value {
     /// Another variable's value.
@@ -94,11 +95,11 @@ pub enum Value {
     Flag(bool),
     /// A depth nearer than any fragment's.
     BeforeEverything,
-    /// The first where the flag is set, the second elsewhere.
+    /// The first value if the flag is set, or else the second.
     Either(&'static str, &'static str, &'static str),
 }
 
-/// What an `if` asks.
+/// The condition of an `if`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Test {
     /// `a < b`, or another comparison.
@@ -114,7 +115,8 @@ pub enum Test {
     Set(&'static str),
 }
 
-/// The algorithm as its paper prints it, numbered, with `amendments` in place; without any, as printed.
+/// The algorithm as its paper prints it, with numbered lines and with `amendments` applied. Without any amendment, it
+/// is as printed.
 pub fn print(algorithm: &Algorithm, amendments: &[Amendment<Line>]) -> String {
     let mut printer = Printer {
         number: 0,
@@ -184,7 +186,7 @@ impl Printer {
         }
     }
 
-    /// An `if` that is all of an `else` continues the chain.
+    /// An `if` that is the only statement of an `else` continues the chain.
     fn otherwise(&mut self, lines: &'static [Line], scope: Scope<'_, Line>, indent: usize) {
         let statement = |met| match met {
             Met::Amendment(_) => None,
@@ -239,7 +241,7 @@ impl fmt::Display for Test {
     }
 }
 
-/// As pseudocode writes it, where one `=` compares.
+/// The comparison as pseudocode writes it, with a single `=`.
 fn sign(compare: Compare) -> &'static str {
     match compare {
         Compare::Equal => "=",

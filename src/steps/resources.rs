@@ -1,4 +1,4 @@
-//! What must be there before a listing runs: maps, framebuffers and buffers by name, and variables.
+//! The resources that must exist before a listing runs: maps, framebuffers and buffers by name, and variables.
 
 use super::format::Format;
 use super::names::{Map, Storage, Target};
@@ -6,11 +6,11 @@ use super::names::{Map, Storage, Target};
 /// Everything that a listing takes for granted.
 #[derive(Clone, Copy, Debug)]
 pub struct Resources {
-    /// Its maps, each of the image's size, and what they hold.
+    /// The maps, each of the image's size, and their contents.
     pub maps: &'static [(Map, Holds)],
     /// Maps that it makes by copying into them: one alone, or a row of them under any variable.
     pub made: &'static [Map],
-    /// What it draws into.
+    /// The framebuffers.
     pub framebuffers: &'static [Framebuffer],
     /// Its shader storage buffers. How large they are depends on the scene.
     pub storages: &'static [Storage],
@@ -18,7 +18,7 @@ pub struct Resources {
     pub variables: &'static [&'static str],
 }
 
-/// What a map holds.
+/// The contents of a map.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Holds {
     /// Colours, in the format that the image has.

@@ -1,11 +1,11 @@
-//! One printed text, whichever way its paper writes it, and what stands beside it.
+//! A printed text in any of the papers' ways of writing, with its amendments.
 
 use super::amend::Statement;
 use super::listing::{Amendment, Listing};
 use super::print;
 use super::pseudo::{self, Algorithm, list};
 
-/// What a paper prints under one title, with the amendments that make it right.
+/// A text that a paper prints under one title, with the amendments that correct it.
 #[derive(Clone, Copy, Debug)]
 pub enum Text {
     /// A listing of calls.
@@ -17,7 +17,7 @@ pub enum Text {
 }
 
 impl Text {
-    /// What it does, in a line.
+    /// A title that says what it does.
     pub const fn title(&self) -> &'static str {
         match self {
             Self::Listing(listing, _) => listing.title,

@@ -1,4 +1,4 @@
-//! The flat trace: a machine that does nothing but write down what it is told.
+//! The flat trace: a machine that only records calls.
 
 use std::collections::{HashMap, VecDeque};
 
@@ -7,39 +7,39 @@ use super::names::Query;
 use super::walk::Machine;
 use crate::error::{Error, Result};
 
-/// Records calls. Queries answer what the caller has laid out for them beforehand.
+/// A machine that records calls. Queries give the answers that the caller has set beforehand.
 #[derive(Debug, Default)]
 pub struct Recorder {
-    /// What was performed, in order.
+    /// The performed calls, in order.
     pub calls: Vec<Call>,
     answers: HashMap<Query, VecDeque<u64>>,
     otherwise: Option<u64>,
 }
 
-/// The longest trace: more than anybody reads, and than any listing takes for a thousand rounds.
+/// The longest trace. It is more than anybody reads, and more than a thousand rounds of any listing.
 const MOST_CALLS: usize = 1 << 20;
 
 impl Recorder {
-    /// Nothing recorded, and no answer to any query.
+    /// A recorder without calls, and without an answer to any query.
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// With what `query` will answer, first time first.
+    /// The recorder with answers of `query`, in order.
     #[must_use]
     pub fn answering(mut self, query: Query, samples: impl IntoIterator<Item = u64>) -> Self {
         self.answers.insert(query, samples.into_iter().collect());
         self
     }
 
-    /// With an answer to every query that has none of its own.
+    /// The recorder with an answer for every query that has no answers of its own.
     #[must_use]
     pub fn answering_every_query(mut self, samples: u64) -> Self {
         self.otherwise = Some(samples);
         self
     }
 
-    /// The trace, a line a call, arguments named: `glDepthFunc(func = GL_LESS)`.
+    /// The trace, with one line per call and named arguments: `glDepthFunc(func = GL_LESS)`.
     pub fn trace(&self) -> String {
         self.calls.iter().map(|call| format!("{call}\n")).collect()
     }

@@ -1,4 +1,4 @@
-//! Walking a listing: evaluates what is computed, resolves what is named, and hands the calls to a machine.
+//! Walking a listing: evaluating its expressions, resolving its names, and handing its calls to a machine.
 
 use super::amend::{Met, Scope};
 use super::call::Call;
@@ -8,27 +8,27 @@ use super::listing::{Amendment, Listing, Reason, Step};
 use super::names::{Map, Query, Target};
 use crate::error::{Error, Result};
 
-/// Something that performs calls.
+/// A machine, which performs calls.
 pub trait Machine {
-    /// Performs one call. It is resolved: no [`Map`] and no [`Number`](super::Number) in it is a variable.
+    /// Performs a call. The call is resolved: no [`Map`] and no [`Number`](super::Number) in it is a variable.
     ///
     /// # Errors
-    /// What the machine cannot do, with the call named.
+    /// If the machine cannot perform the call. The error names the call.
     fn perform(&mut self, call: &Call) -> Result<()>;
 
-    /// How many samples passed the depth and stencil tests between the query's last begin and end.
+    /// The number of samples that passed the depth and stencil tests between the query's last begin and end.
     ///
     /// # Errors
     /// If the query has never been made.
     fn samples(&mut self, query: Query) -> Result<u64>;
 }
 
-/// A machine that a method can furnish: with maps, and with framebuffers that draw into them.
+/// A machine in which a method can make maps, and framebuffers that draw into them.
 pub trait Workspace: Machine {
-    /// Makes a map of the image's size, unless it is there in this format.
+    /// Makes a map of the image's size, unless it exists in this format.
     ///
     /// # Errors
-    /// If there is no room.
+    /// If the machine has too little memory.
     fn allocate(&mut self, map: Map, format: Format) -> Result<()>;
 
     /// Makes a framebuffer that draws into these maps, the first color for the shaders' location 0.
@@ -38,10 +38,10 @@ pub trait Workspace: Machine {
     fn target_of(&mut self, target: Target, colors: &[Map], depth: Option<Map>) -> Result<()>;
 }
 
-/// What a listing leaves behind, besides what the machine shows.
+/// The result of a listing, besides the machine's state.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Outcome {
-    /// Why the last stopped loop was left; nothing if every loop ran to its end.
+    /// The reason for which the last stopped loop was left, or `None` if every loop ran to its end.
     pub stopped: Option<Reason>,
     /// The variables at the end.
     pub variables: Variables,
@@ -50,7 +50,7 @@ pub struct Outcome {
 /// Runs a listing on a machine. The amendments hold in it and in every listing that it runs.
 ///
 /// # Errors
-/// The machine's, or a variable that is read before it is set.
+/// The machine's errors, or an error if a variable is read before it is set.
 pub fn run(
     listing: &Listing,
     amendments: &[Amendment],
@@ -171,7 +171,7 @@ impl<M: Machine> Walk<'_, M> {
         Ok(match *expr {
             Expr::Number(number) => number,
             Expr::Variable(name) => self.variable(name)?,
-            // Exact up to 2^53 samples.
+            // This is exact up to 2^53 samples.
             Expr::Samples(query) => self.machine.samples(query)? as f64,
             Expr::Sum(a, b) => self.value(a)? + self.value(b)?,
             Expr::Difference(a, b) => self.value(a)? - self.value(b)?,

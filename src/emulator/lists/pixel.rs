@@ -1,21 +1,22 @@
-//! What a pixel has while its list is resolved: a count, a stencil value, and ppDP's Local Array.
+//! The state of a pixel while its list is resolved: a count, a stencil value, and ppDP's Local Array.
 
 use super::ray::Ray;
 use crate::fragment::Fragment;
 use crate::steps::pseudo::list::{Counter, Element, Key, Mark, Start, Taken};
 
-/// What became of a pixel.
+/// The result at a pixel.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Resolved {
-    /// The fragments in the order in which they were composited, by their order of submission.
+    /// The composited fragments in their order of compositing, each by its place in the order of submission.
     pub composited: Vec<u32>,
     /// How often the pixel was resolved.
     pub times: u32,
-    /// How often its list was walked.
+    /// How often the pixel's list was walked.
     pub subpasses: u32,
-    /// How many records of it were read.
+    /// The number of records that were read from it.
     pub records_read: u32,
-    /// Elements of the Local Arrays that were there for it, and how many of them held a fragment at some time.
+    /// The number of elements of Local Arrays that were reserved for the pixel, and how many of them held a fragment at
+    /// some time.
     pub slots: [u32; 2],
 }
 
@@ -25,7 +26,7 @@ pub(super) struct Pixel<'a> {
     pub(super) stencil: u8,
     pub(super) marked: bool,
     pub(super) peel: Option<Peel>,
-    /// Where there are volumes.
+    /// The ray, if there are volumes.
     pub(super) ray: Option<Ray<'a>>,
     pub(super) done: Resolved,
 }
@@ -34,11 +35,11 @@ pub(super) struct Pixel<'a> {
 pub(super) struct Peel {
     n: usize,
     pub(super) buffer: Vec<Fragment>,
-    /// Min depth and min id: up to there everything is skipped.
+    /// Min depth and min id. Fragments up to there are skipped.
     pub(super) min: (f32, i64),
     /// Whether the subpass has dropped an element.
     pub(super) dropped: bool,
-    /// How many fragments have been resolved, and the last of them.
+    /// The number of fragments that have been resolved, and the last of them.
     pub(super) resolved: usize,
     last: Option<Fragment>,
 }
@@ -97,7 +98,7 @@ impl<'a> Pixel<'a> {
     }
 }
 
-/// By depth, then id.
+/// The order by depth, then by id.
 fn sorted(list: &[Fragment]) -> Vec<Fragment> {
     let mut array = list.to_vec();
     array.sort_by(|a, b| (a.depth.total_cmp(&b.depth)).then(a.order.cmp(&b.order)));

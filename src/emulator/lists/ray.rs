@@ -1,4 +1,4 @@
-//! The ray through a pixel that is cast between the fragments of its list (Lindholm et al. 2015, section 6.1), in f64.
+//! The ray through a pixel, cast between the fragments of the pixel's list (Lindholm et al. 2015, section 6.1), in f64.
 
 use std::fmt;
 
@@ -6,15 +6,15 @@ use crate::fragment::{Fragment, Source};
 use crate::scene::Medium;
 use crate::steps::pseudo::list::{Beginning, SegmentEnd};
 
-/// What a pixel's ray passes through.
+/// The surroundings of a pixel's ray.
 ///
-/// Places on it are distances along the view direction; its own length is `slant` times that.
+/// Places on the ray are distances along the view direction. The ray's own length is `slant` times that.
 pub struct RayScene<'m> {
-    /// Where the near and the far plane are.
+    /// The distances of the near and the far plane.
     pub planes: [f64; 2],
     /// The ray's length over a distance of 1, 1 or more.
     pub slant: f64,
-    /// The opaque surface's depth; 1 without any.
+    /// The opaque surface's depth, or 1 if there is none.
     pub opaque: f32,
     /// The volumes, by their numbers.
     pub volumes: Vec<RayVolume<'m>>,
@@ -22,51 +22,51 @@ pub struct RayScene<'m> {
 
 /// A volume along a ray.
 pub struct RayVolume<'m> {
-    /// What it has at a distance.
+    /// The volume's colour and density at a distance.
     pub medium: &'m dyn Fn(f64) -> Medium,
-    /// Its sampling distance, in world units.
+    /// The volume's sampling distance, in world units.
     pub step: f64,
 }
 
-/// What became of a ray.
+/// The result of a ray.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RayRun {
-    /// Its light, and how much of what is behind it comes through.
+    /// The ray's light, and the part of the light behind it that comes through.
     pub light: [f64; 3],
     /// 1 for a ray that met nothing.
     pub transparency: f64,
-    /// What happened on it, front to back.
+    /// The events on the ray, front to back.
     pub events: Vec<RayEvent>,
 }
 
-/// Something that happened on a ray, and what it left.
+/// An event on a ray, and the state after it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RayEvent {
-    /// What it was.
+    /// The kind of event.
     pub what: RayHappening,
-    /// Where the ray was then.
+    /// The ray's position at the event.
     pub distance: f64,
-    /// The volumes that it was inside of then, as a bitmask.
+    /// The volumes around the ray after the event, as a bitmask.
     pub occupancy: u32,
-    /// How much of what is behind still comes through.
+    /// The part of the light behind that still comes through.
     pub transparency: f64,
 }
 
-/// What can happen on a ray.
+/// The kinds of events on a ray.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RayHappening {
-    /// It begins at the near plane.
+    /// The ray begins at the near plane.
     Begins,
-    /// It is cast through volumes, in so many samples.
+    /// The ray is cast through volumes, in so many samples.
     IsCast(u64),
-    /// It meets a face of this volume's box.
+    /// The ray meets a face of this volume's box.
     Toggles(u32),
-    /// It meets the surface with this id.
+    /// The ray meets the surface with this id.
     Blends(u32),
 }
 
 impl fmt::Display for RayRun {
-    /// A line an event.
+    /// Prints one line per event.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "  {:<26} distance  occupancy  transparency", "the ray")?;
         for event in &self.events {
@@ -88,7 +88,7 @@ impl fmt::Display for RayRun {
     }
 }
 
-/// The state that outlives a subpass.
+/// The state that is kept between subpasses.
 pub(super) struct Ray<'a> {
     scene: &'a RayScene<'a>,
     occupancy: u32,
@@ -110,7 +110,7 @@ impl<'a> Ray<'a> {
         }
     }
 
-    /// From the near plane on.
+    /// The state at the near plane.
     pub(super) fn begin(&mut self, beginning: Beginning, list: &[Fragment]) {
         self.position = self.scene.planes[0];
         let (mut entered, mut left) = (0, 0);
@@ -128,8 +128,8 @@ impl<'a> Ray<'a> {
         self.record(RayHappening::Begins);
     }
 
-    /// On to a fragment's depth. Steps of the smallest sampling distance, the last one cut to the segment's end; each
-    /// takes what there is from its middle.
+    /// Casts the ray to a fragment's depth. Steps have the smallest sampling distance, and the last step ends at the
+    /// segment's end. The middle of a step gives its colour and density.
     pub(super) fn cast(&mut self, end: SegmentEnd, fragment: Fragment) {
         let depth = match end {
             SegmentEnd::Fragment => fragment.depth,

@@ -1,4 +1,5 @@
-//! Classic calls on a core profile: state kept here, uniforms and bindings of `glsl/classic/` made of it at each draw.
+//! Classic calls on a core profile. Their state is kept here, and each draw makes the uniforms and bindings of
+//! `glsl/classic/` from it.
 
 use glow::HasContext;
 
@@ -13,7 +14,7 @@ use crate::steps::{
     ClassicCall, Compare, DepthTextureMode, Format, Map, TexEnvValue, TextureTarget,
 };
 
-/// Where `classic/textures.glsl` has its four kinds of texture, and the HILO texture's unit.
+/// The texture units of the four kinds of texture in `classic/textures.glsl`, and the HILO texture's unit.
 const PLAIN: u32 = 16;
 const SHADOW: u32 = 20;
 const RECTANGLE: u32 = 24;
@@ -21,7 +22,7 @@ const SHADOW_RECTANGLE: u32 = 28;
 const HILO: u32 = 14;
 
 impl GlMachine<'_> {
-    /// What the classic calls have set, the camera's own matrices before the first of them.
+    /// The state that the classic calls have set. Before the first call it has the camera's matrices.
     ///
     /// # Errors
     /// If there is no scene yet.
@@ -87,7 +88,7 @@ impl GlMachine<'_> {
         Ok(())
     }
 
-    /// Gives the current program, one of `glsl/classic/`, what it looks at.
+    /// Sets the uniforms and bindings of the current program, which is one of `glsl/classic/`.
     pub(in crate::gl) fn set_classic_uniforms(&mut self) -> Result<()> {
         self.make_samplers()?;
         let hilo = self.hilo()?;
@@ -215,7 +216,7 @@ impl GlMachine<'_> {
         })
     }
 
-    /// What `classic/textures.glsl` calls it.
+    /// Its number in `classic/textures.glsl`.
     fn base_format(&self, unit: &TextureUnit) -> i32 {
         let format = match unit.enabled() {
             Some((TextureTarget::Texture2D, map)) => self.texture(map).ok().map(|t| t.format),
@@ -265,7 +266,7 @@ impl GlMachine<'_> {
         Ok(texture)
     }
 
-    /// Lets go of what classic calls have made.
+    /// Deletes the objects that classic calls have made.
     pub(in crate::gl) fn free_classic(&mut self) {
         let gl = self.context.glow();
         // SAFETY: every object is the machine's own and leaves its tables here.

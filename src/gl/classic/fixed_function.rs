@@ -1,4 +1,4 @@
-//! The real fixed functions, on a compatibility profile: each classic call is OpenGL's own.
+//! The real fixed functions, on a compatibility profile: each classic call becomes OpenGL's own call.
 //!
 //! glow has the core profile only, so functions are looked up by name and constants are spelled out.
 
@@ -36,7 +36,7 @@ const VERTEX_ARRAY: u32 = 0x8074;
 const COLOR_ARRAY: u32 = 0x8076;
 const UNITS: u32 = 4;
 
-/// Gives classic calls to the driver, and everything else to the machine it is made of.
+/// A machine that gives classic calls to the driver, and all others to the GL machine inside.
 #[derive(Debug)]
 pub struct FixedFunction<'m, 'c> {
     machine: &'m mut GlMachine<'c>,
@@ -47,8 +47,8 @@ pub struct FixedFunction<'m, 'c> {
 }
 
 impl<'m, 'c> FixedFunction<'m, 'c> {
-    /// OpenGL's initial state, but for the matrices, which are the camera's. The machine has its scene, and its context
-    /// is of the compatibility profile.
+    /// A machine with OpenGL's initial state, except for the matrices, which are the camera's. `machine` must have its
+    /// scene, and a context of the compatibility profile.
     ///
     /// # Errors
     /// If the context has no fixed functions, or there is no scene yet.
@@ -68,7 +68,7 @@ impl<'m, 'c> FixedFunction<'m, 'c> {
         unsafe {
             for unit in 0..UNITS {
                 gl.active_texture(glow::TEXTURE0 + unit);
-                // A sampler would take the place of the texture's own parameters.
+                // A sampler would override the texture's own parameters.
                 gl.bind_sampler(unit, None);
                 gl.disable(glow::TEXTURE_2D);
                 gl.disable(glow::TEXTURE_RECTANGLE);
@@ -272,7 +272,7 @@ impl Machine for FixedFunction<'_, '_> {
                     }),
                 }
             }
-            // There is no program in fixed functions.
+            // Fixed functions have no program.
             Call::UseProgram { .. } => Ok(()),
             Call::Draw {
                 objects: objects @ (Objects::Scene | Objects::Opaque | Objects::Transparent),
@@ -290,7 +290,7 @@ impl Machine for FixedFunction<'_, '_> {
 }
 
 impl Drop for FixedFunction<'_, '_> {
-    /// The alpha test would go on testing what programs draw.
+    /// The alpha test would otherwise also test the draws of programs.
     fn drop(&mut self) {
         // SAFETY: the context is current.
         unsafe { self.machine.context().glow().disable(ALPHA_TEST) };

@@ -1,8 +1,8 @@
-//! The OpenGL of 2001: emulated in GLSL ([`GlMachine`](super::GlMachine) takes the calls as they are), and the real one, where a
-//! compatibility profile still has it ([`FixedFunction`]), to hold the emulation against.
+//! The OpenGL of 2001. [`GlMachine`](super::GlMachine) emulates its calls in GLSL. [`FixedFunction`] makes the real
+//! calls, on a compatibility profile that still has them, so that tests can compare the emulation with them.
 //!
-//! NV_texture_shader exists on no driver of today, so what Listing 2 does with it is emulated only, and held against the
-//! paper's equations instead.
+//! NV_texture_shader exists on no driver of today, so Listing 2's use of it is only emulated, and compared with the
+//! paper's equations.
 //!
 //! Excludes: texture coordinates other than generated ones, fixed-function lighting (a surface's own colour is the
 //! primary colour), the environment modes other than REPLACE and MODULATE, filtering.
@@ -19,12 +19,12 @@ use std::collections::HashMap;
 use super::texture::Texture;
 use crate::steps::{Format, Map};
 
-/// What a machine keeps for classic calls.
+/// The objects and the state of classic calls.
 #[derive(Debug, Default)]
 pub(super) struct Classic {
-    /// Nothing before the first call of a frame.
+    /// `None` before the first classic call of a frame.
     pub(super) state: Option<ClassicState>,
-    /// Rectangle textures; in a table of their own, because nothing draws into them.
+    /// Rectangle textures. They have a table of their own, because nothing draws into them.
     pub(super) rectangles: HashMap<Map, (glow::Texture, Format)>,
     /// One sampler with compare mode for each unit.
     samplers: Vec<glow::Sampler>,

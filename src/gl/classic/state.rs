@@ -8,10 +8,10 @@ use crate::steps::{
     TexEnvValue, TextureTarget,
 };
 
-/// How many texture units there are: as many as a GeForce3 had.
+/// The number of texture units, as on a GeForce3.
 pub const UNITS: usize = 4;
 
-/// What the classic calls have set up to now.
+/// The state that classic calls have set.
 #[derive(Clone, Debug)]
 pub struct ClassicState {
     projection: DMat4,
@@ -24,17 +24,17 @@ pub struct ClassicState {
     pub units: [TextureUnit; UNITS],
     /// Whether fragments are tested by their alpha.
     pub alpha_test: bool,
-    /// How, and against what.
+    /// The comparison and the reference.
     pub alpha_func: (Compare, f32),
 }
 
-/// A texture unit. What belongs to a texture in GL (its depth mode and its comparison) is kept with the unit that it is
-/// bound to here.
+/// A texture unit. In GL the depth mode and the comparison belong to a texture; here they are kept with the unit to
+/// which it is bound.
 #[derive(Clone, Copy, Debug)]
 pub struct TextureUnit {
-    /// The texture that is looked up by each target, and whether it is enabled; of two, the rectangle.
+    /// The 2D texture that is looked up, and whether it is enabled. If both are enabled, the rectangle texture is used.
     pub two_d: (Option<Map>, bool),
-    /// The same of a rectangle texture.
+    /// The same for the rectangle texture.
     pub rectangle: (Option<Map>, bool),
     /// `GL_TEXTURE_ENV_MODE`
     pub environment: TexEnvValue,
@@ -48,12 +48,12 @@ pub struct TextureUnit {
     pub compare_func: Compare,
     /// Whether coordinates are generated.
     pub texgen: bool,
-    /// For s, t, r and q, as they are applied to eye coordinates.
+    /// The planes for s, t, r and q, as they are applied to eye coordinates.
     pub eye_planes: [DVec4; 4],
 }
 
 impl ClassicState {
-    /// OpenGL's initial state, but for the modelview matrix, which is the camera's.
+    /// OpenGL's initial state, except for the modelview matrix, which is the camera's.
     pub fn new(view: DMat4, projection: DMat4) -> Self {
         let unit = TextureUnit {
             two_d: (None, false),
@@ -105,7 +105,7 @@ impl ClassicState {
     /// Performs a call.
     ///
     /// # Errors
-    /// What OpenGL refuses, or what is not emulated.
+    /// If OpenGL would refuse the call, or if it is not emulated.
     pub fn perform(&mut self, call: &ClassicCall) -> Result<()> {
         let wrong = |why: &str| {
             Err(Error::usage(
@@ -122,7 +122,7 @@ impl ClassicState {
                 TextureTarget::Texture2D => self.unit().two_d.0 = Some(texture),
                 TextureTarget::Rectangle => self.unit().rectangle.0 = Some(texture),
             },
-            // Which is the machine's: there is only one such texture. Copies are the machine's too.
+            // The machine performs this, because there is only one such texture. It also performs copies.
             ClassicCall::BindUnsignedHilo | ClassicCall::CopyToRectangle { .. } => {}
             ClassicCall::Enable { cap } => self.enable(cap, true),
             ClassicCall::Disable { cap } => self.enable(cap, false),
@@ -176,7 +176,8 @@ impl ClassicState {
         Ok(())
     }
 
-    /// Each column is a plane. A plane is a row vector, and the modelview matrix of the time is taken out of it: p M^-1.
+    /// Each column is a plane. A plane is a row vector, which is multiplied by the inverse of the current modelview
+    /// matrix: p M^-1.
     fn set_planes(&mut self, planes: DMat4) {
         let transposed = self.modelview().inverse().transpose();
         let columns = [planes.x_axis, planes.y_axis, planes.z_axis, planes.w_axis];
@@ -188,7 +189,7 @@ impl ClassicState {
             ClassicCapability::AlphaTest => self.alpha_test = on,
             ClassicCapability::Texture2D => self.unit().two_d.1 = on,
             ClassicCapability::TextureRectangle => self.unit().rectangle.1 = on,
-            // The program that draws decides.
+            // The drawing program decides.
             ClassicCapability::TextureShader => {}
         }
     }

@@ -1,4 +1,4 @@
-//! Which context is current on a thread, and changing that without losing it.
+//! The context that is current on a thread, and changing it without losing the one before.
 
 use std::cell::RefCell;
 use std::rc::{Rc, Weak};
@@ -7,8 +7,8 @@ use super::egl;
 use super::headless::Current;
 
 thread_local! {
-    /// The headless context that onionskin made current last on this thread. EGL and OSMesa know nothing of each other, but
-    /// share Mesa's idea of what is current, so that each may believe that its own context still is.
+    /// The headless context that onionskin made current last on this thread. EGL and OSMesa do not know of each other,
+    /// but share Mesa's current context, so each may believe that its own context still is current.
     static LAST: RefCell<Option<Weak<dyn Current>>> = const { RefCell::new(None) };
 }
 
@@ -80,7 +80,7 @@ impl Drop for Suspended {
     }
 }
 
-/// Leaves whatever is current.
+/// Releases the current context.
 fn leave() -> Option<Before> {
     let last = LAST.take().and_then(|last| last.upgrade());
     let before = match last {

@@ -14,12 +14,12 @@ type Instance = egl::DynamicInstance<egl::EGL1_5>;
 const PLATFORM_SURFACELESS_MESA: egl::Enum = 0x31DD;
 const PLATFORM_DEVICE_EXT: egl::Enum = 0x313F;
 
-/// The versions that are asked for, best first. The last one is what a driver too old for onionskin still gives, so
+/// The versions that are asked for, best first. A driver that is too old for onionskin still gives the last one, so
 /// that the error can say which version it has.
 const VERSIONS: [(egl::Int, egl::Int); 3] = [(4, 5), (4, 3), (3, 1)];
 
-/// libEGL, once it has been loaded. Mesa keeps thread-local state and worker threads, which do not survive an
-/// unloading: the library stays for as long as the process does, as the display does that it has initialised.
+/// libEGL, once it has been loaded. Mesa has thread-local state and worker threads, which do not survive an unloading,
+/// so the library stays loaded as long as the process runs. So does the display that it has initialised.
 static LIBRARY: OnceLock<Instance> = OnceLock::new();
 
 struct EglContext {
@@ -65,7 +65,7 @@ fn library() -> Result<&'static Instance, String> {
     Ok(LIBRARY.get_or_init(|| loaded))
 }
 
-/// Every display there is, with a name for messages.
+/// Every display, with a name for messages.
 fn displays(instance: &Instance) -> Vec<(String, Result<egl::Display, String>)> {
     let surfaceless = platform_display(instance, PLATFORM_SURFACELESS_MESA, egl::DEFAULT_DISPLAY);
     let mut displays = vec![("surfaceless".to_owned(), surfaceless)];
@@ -189,7 +189,7 @@ impl Current for EglContext {
     }
 }
 
-/// A context that someone else has made current, and what it draws to.
+/// A context that someone else has made current, and its surfaces.
 pub(super) struct Binding {
     api: egl::Enum,
     display: egl::Display,
@@ -219,7 +219,7 @@ impl Binding {
             return;
         };
         let [draw, read] = self.surfaces;
-        // A host whose context cannot come back finds out with its next call; nobody can be told here.
+        // If the host's context cannot be restored, the host notices with its next call. Nobody can be told here.
         let _ = instance.bind_api(self.api);
         let _ = instance.make_current(self.display, draw, read, Some(self.context));
     }

@@ -1,4 +1,4 @@
-//! Someone else's context, and what onionskin keeps of it.
+//! Someone else's context, and onionskin's knowledge of it.
 
 use super::*;
 use crate::gl::making::take_errors;
@@ -78,11 +78,11 @@ impl Context {
         self.foreign.take()
     }
 
-    /// Takes what is pending as someone else's.
+    /// Takes pending errors as someone else's.
     pub(in crate::gl) fn note_foreign_errors(&self) {
         let errors = take_errors(&self.gl);
         let mut foreign = self.foreign.borrow_mut();
-        // A host that never asks, and makes an error in each frame, is told of the last ones.
+        // A host that never asks, and makes an error in each frame, is told of the last errors.
         const MOST: usize = 64;
         foreign.extend(errors.into_iter().map(str::to_owned));
         let surplus = foreign.len().saturating_sub(MOST);
@@ -108,7 +108,7 @@ impl Context {
         Ok(())
     }
 
-    /// Whether onionskin has made it.
+    /// Whether onionskin has made the context.
     pub(in crate::gl) fn is_own(&self) -> bool {
         self.current.is_some()
     }

@@ -1,16 +1,16 @@
-//! What EGL's and OSMesa's contexts have in common.
+//! The trait of EGL's and OSMesa's contexts.
 
-/// What keeps a headless context alive; ends it when dropped.
+/// A headless context. It ends when this is dropped.
 pub(super) trait Current {
-    /// Where the functions are.
+    /// The address of a function.
     fn function(&self, name: &str) -> *const std::ffi::c_void;
 
     /// Whether its library has it current on this thread.
     fn is_current(&self) -> bool;
 
-    /// Makes it current on this thread, where no other library has a context current.
+    /// Makes it current on this thread, on which no other library may have a current context.
     fn make_current(&self) -> Result<(), String>;
 
-    /// Makes it current no more.
+    /// Releases it.
     fn release(&self);
 }

@@ -1,7 +1,7 @@
-//! OpenGL without a window: through EGL or through OSMesa, whichever is there.
+//! OpenGL without a window, by EGL or by OSMesa.
 //!
-//! Neither library is linked; both are loaded when a context is asked for, so that building, and everything that needs
-//! no GL, works on a machine without Mesa.
+//! Neither library is linked. They are loaded when a context is asked for. So building, and everything that needs no
+//! GL, works on a machine without Mesa.
 
 mod current;
 mod egl;
@@ -26,16 +26,16 @@ use crate::gl::more::More;
 pub(in crate::gl) use self::current::Away;
 pub use self::variables::suspect_variables;
 
-/// The lowest version the methods can do with: shader storage buffers and image atomics are core from here.
+/// The lowest version that is enough for the methods: shader storage buffers and image atomics are in its core.
 const LOWEST_VERSION: (u32, u32) = (4, 3);
 
-/// And of the shading language.
+/// The lowest version of the shading language.
 const LOWEST_SHADING_LANGUAGE: (u32, u32) = (4, 30);
 
-/// Names the environment variable that chooses the backend.
+/// The name of the environment variable that chooses the backend.
 const BACKEND_VARIABLE: &str = "ONIONSKIN_BACKEND";
 
-/// How to get at OpenGL.
+/// A backend, by which OpenGL is reached.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Backend {
     /// libEGL, surfaceless platform first, then each EGL device.
@@ -44,22 +44,22 @@ pub enum Backend {
     OsMesa,
 }
 
-/// Which OpenGL.
+/// The profile of OpenGL.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Profile {
-    /// Without what OpenGL 3.1 removed.
+    /// The core profile, without the functions that OpenGL 3.1 removed.
     #[default]
     Core,
-    /// With the fixed functions of old.
+    /// The compatibility profile, with the old fixed functions.
     Compatibility,
 }
 
-/// What kind of context is wanted.
+/// The wanted kind of context.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ContextOptions {
-    /// Only this one; otherwise the one that `ONIONSKIN_BACKEND` names, otherwise EGL, then OSMesa.
+    /// The only backend to try. With `None` it is the one that `ONIONSKIN_BACKEND` names, or else EGL, then OSMesa.
     pub backend: Option<Backend>,
-    /// Which OpenGL.
+    /// The profile of OpenGL.
     pub profile: Profile,
 }
 
@@ -93,7 +93,7 @@ impl Context {
         Self::new(ContextOptions::default())
     }
 
-    /// A context as asked for.
+    /// A context of the wanted kind.
     ///
     /// # Errors
     /// As [`Context::headless`], and if `ONIONSKIN_BACKEND` names no backend.
@@ -116,12 +116,12 @@ impl Context {
         Err(Error::NoContext { tried })
     }
 
-    /// How it was made; nothing for someone else's.
+    /// The backend that made it, or `None` for someone else's context.
     pub fn backend(&self) -> Option<Backend> {
         self.backend
     }
 
-    /// What the driver says of itself.
+    /// The driver's description of itself.
     pub fn driver(&self) -> &Driver {
         &self.driver
     }
@@ -163,7 +163,7 @@ impl Context {
 impl Drop for Context {
     fn drop(&mut self) {
         let _one_at_a_time = one_at_a_time();
-        // Ends it, and releases it if it is current.
+        // This ends the context, and releases it if it is current.
         self.current = None;
     }
 }
@@ -175,8 +175,7 @@ fn from_environment() -> Result<Option<Backend>> {
     }
 }
 
-/// Tries the wanted versions one by one. What failed on the way to a context goes into `tried`, the last failure is
-/// returned.
+/// Tries the wanted versions one by one. Earlier failures go into `tried`, and the last failure is returned.
 fn open(backend: Backend, profile: Profile, tried: &mut Vec<Attempt>) -> Result<Context, Attempt> {
     let _one_at_a_time = one_at_a_time();
     let before = current::set_aside();
@@ -200,7 +199,7 @@ fn open(backend: Backend, profile: Profile, tried: &mut Vec<Attempt>) -> Result<
     Ok(context)
 }
 
-/// What is wrong with a driver that offers too little.
+/// The fault of a driver that offers too little.
 fn too_low(driver: &Driver) -> Option<String> {
     let Driver {
         version,
@@ -224,16 +223,16 @@ fn too_low(driver: &Driver) -> Option<String> {
     }
 }
 
-/// Held while a context is made or ended. Drivers promise that contexts of several threads may live side by side; that
-/// they may come and go at the same moment is where Mesa's shared state (displays, screens, shader types) is touched.
+/// It is held while a context is made or ended. Drivers promise that contexts of several threads may exist side by
+/// side. But making and ending them touches Mesa's shared state (displays, screens, shader types).
 fn one_at_a_time() -> MutexGuard<'static, ()> {
     static LIFETIMES: Mutex<()> = Mutex::new(());
-    // It guards no data, so a panic while it was held has left nothing half done.
+    // It guards no data, so a panic while it was held leaves nothing half done.
     LIFETIMES.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// An error with its reasons, for libloading says only 'dlopen failed' by itself. A reason that the error has named
-/// is not repeated.
+/// An error with its reasons, because libloading by itself says only 'dlopen failed'. A reason that the error names
+/// already is not repeated.
 fn with_reasons(error: &dyn std::error::Error) -> String {
     let mut text = error.to_string();
     for reason in std::iter::successors(error.source(), |reason| reason.source()) {

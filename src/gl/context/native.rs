@@ -1,4 +1,5 @@
-//! Which OpenGL context the system says is current on this thread, whoever made it so, and where its functions are.
+//! The OpenGL context that is current on this thread by the system's account, whoever has made it current, and its
+//! functions.
 //!
 //! Of someone else's context onionskin is only given the functions that glow has. Its window system's library is in the
 //! process already, so it can be asked for the rest.
@@ -16,7 +17,7 @@ pub(super) struct Native {
     handle: usize,
 }
 
-/// Where Linux has them: the library's names, and its two functions.
+/// The libraries' names on Linux, and the names of two functions of each.
 const SYSTEMS: [([&str; 2], &CStr, &CStr); 3] = [
     (
         ["libEGL.so.1", "libEGL.so"],
@@ -36,8 +37,8 @@ const SYSTEMS: [([&str; 2], &CStr, &CStr); 3] = [
 ];
 
 impl Native {
-    /// The context that is current on this thread; nothing where that cannot be told, because no library that is known here
-    /// has one, or more than one believes that it has.
+    /// The context that is current on this thread. `None` if no known library has one, or if more than one library
+    /// believes that it has.
     pub(super) fn current() -> Option<Self> {
         let mut known = SYSTEMS.iter().filter_map(|(libraries, current, function)| {
             let native = libraries
@@ -67,7 +68,7 @@ impl Native {
     #[cfg(target_os = "linux")]
     fn of(library: &str, current: &CStr, function: &CStr) -> Option<Self> {
         use libloading::os::unix::{Library, RTLD_LAZY};
-        /// Only if it is loaded already. The same number in glibc and musl.
+        /// This opens a library only if it is loaded already. The number is the same in glibc and musl.
         const RTLD_NOLOAD: i32 = 4;
         // SAFETY: nothing is loaded, so no initialiser runs; the functions have these signatures in every version of their
         // libraries, and live as long as the library, which those keep loaded who have loaded it.
@@ -84,7 +85,7 @@ impl Native {
         }
     }
 
-    /// Elsewhere the libraries' names are not known.
+    /// On other systems the libraries' names are not known.
     #[cfg(not(target_os = "linux"))]
     fn of(_: &str, _: &CStr, _: &CStr) -> Option<Self> {
         None

@@ -1,4 +1,4 @@
-//! OSMesa: Mesa into a piece of main memory, with no window system and no EGL at all.
+//! OSMesa: Mesa that draws into main memory, without a window system and without EGL.
 
 use std::cell::RefCell;
 use std::ffi::{CString, c_int, c_uchar, c_uint, c_void};
@@ -20,10 +20,10 @@ const OSMESA_CONTEXT_MAJOR_VERSION: c_int = 0x36;
 const OSMESA_CONTEXT_MINOR_VERSION: c_int = 0x37;
 const GL_UNSIGNED_BYTE: c_uint = 0x1401;
 
-/// As for EGL: the last one is for the error's sake.
+/// As for EGL, the last version is there for the error message.
 const VERSIONS: [(c_int, c_int); 3] = [(4, 5), (4, 3), (3, 1)];
 
-/// OSMesa wants a colour buffer of its own. Everything is drawn into framebuffer objects, so the least will do.
+/// The size of OSMesa's colour buffer. Everything is drawn into framebuffer objects, so the smallest will do.
 const SIDE: c_int = 16;
 
 type CreateContextAttribs = unsafe extern "C" fn(*const c_int, *mut c_void) -> *mut c_void;
@@ -38,7 +38,7 @@ struct OsMesaContext {
     get_current: GetCurrentContext,
     make_current: MakeCurrent,
     destroy: DestroyContext,
-    /// What OSMesa would draw into; it keeps the address.
+    /// The buffer into which OSMesa would draw. It keeps the address.
     buffer: RefCell<Vec<u8>>,
 }
 

@@ -1,8 +1,8 @@
-//! Environment variables that change which OpenGL there is, so that an error can say which of them is to blame.
+//! Environment variables that change which OpenGL is found, so that an error can name those that may be the cause.
 
 use super::Attempt;
 
-/// What each of them tells Mesa, or the library that looks for Mesa.
+/// The effect of each variable on Mesa, or on the library that looks for Mesa.
 const VARIABLES: [(&str, &str); 13] = [
     ("GALLIUM_DRIVER", "chooses Mesa's driver"),
     ("MESA_LOADER_DRIVER_OVERRIDE", "chooses Mesa's driver"),
@@ -28,21 +28,21 @@ const VARIABLES: [(&str, &str); 13] = [
     (DRAWING, "takes away what Mesa draws vertices with"),
 ];
 
-/// Has Mesa offer another version.
+/// Makes Mesa offer another version.
 pub(super) const VERSION: &str = "MESA_GL_VERSION_OVERRIDE";
-/// The same of the shading language.
+/// The same for the shading language.
 pub(super) const SHADING_LANGUAGE: &str = "MESA_GLSL_VERSION_OVERRIDE";
 
-/// The drivers that Mesa's OSMesa has. Told to take any other it follows a null pointer.
+/// The drivers of Mesa's OSMesa. With the name of any other driver it follows a null pointer.
 const OF_OSMESA: [&str; 2] = ["llvmpipe", "softpipe"];
 
-/// What OpenGL 3.1 has at least; without it OSMesa makes no context of a core profile.
+/// The least version with OpenGL 3.1's shading language. Without it OSMesa makes no context of a core profile.
 const OF_OPENGL_3_1: u32 = 140;
-/// Whether Mesa compiles what it does with vertices, and how that is denied.
+/// The variable that says whether Mesa compiles its vertex processing, and its values for 'no'.
 const DRAWING: &str = "DRAW_USE_LLVM";
 const OFF: [&str; 5] = ["0", "n", "no", "f", "false"];
 
-/// Those that are set, as `NAME=value`, with what they do.
+/// The variables that are set, as `NAME=value`, with their effects.
 fn set() -> impl Iterator<Item = (String, &'static str)> {
     VARIABLES
         .iter()
@@ -55,8 +55,7 @@ pub(super) fn assignment(name: &str) -> Option<String> {
     Some(format!("{name}={}", value.to_string_lossy().escape_debug()))
 }
 
-/// The environment variables that are set and change which OpenGL there is, each with what it does and what to do about
-/// it.
+/// The environment variables that are set and change which OpenGL is found, each with its effect and the remedy.
 pub fn suspect_variables() -> Vec<Attempt> {
     set()
         .map(|(assignment, effect)| {
@@ -69,7 +68,7 @@ pub fn suspect_variables() -> Vec<Attempt> {
         .collect()
 }
 
-/// Why OSMesa is not asked for a context: where it finds that it cannot make one it follows a null pointer.
+/// The reason not to ask OSMesa for a context. If it cannot make one, it follows a null pointer.
 pub(super) fn crashes_osmesa() -> Option<String> {
     let value = |name| std::env::var(name).unwrap_or_default();
     let driver = value("GALLIUM_DRIVER");
@@ -89,7 +88,7 @@ pub(super) fn crashes_osmesa() -> Option<String> {
     ))
 }
 
-/// What to add to "the driver offers only ...": which variable hides what it has.
+/// The text to add to "the driver offers only ...": the variable that hides the driver's version.
 pub(super) fn hides(name: &str) -> String {
     assignment(name).map_or_else(String::new, |assignment| {
         format!("; the environment variable {assignment} hides what it has: unset {name}")

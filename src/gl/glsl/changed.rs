@@ -1,15 +1,15 @@
-//! Shaders with one changed word, for tests that have to notice it.
+//! Shaders with one changed word, which tests must notice.
 
 use std::cell::RefCell;
 
-/// In a file of `glsl/`, what stands there, and what is to stand there instead.
+/// A file of `glsl/`, a text in it, and the text that replaces it.
 pub(crate) type Change = [&'static str; 3];
 
 thread_local! {
     static CHANGE: RefCell<Option<Change>> = const { RefCell::new(None) };
 }
 
-/// Does something while a shader is another one. Programs that were linked before stay as they are.
+/// Runs `work` with a changed shader. Programs that were linked before do not change.
 pub(crate) fn changing<T>(change: Change, then: impl FnOnce() -> T) -> T {
     CHANGE.set(Some(change));
     let result = then();
@@ -20,7 +20,7 @@ pub(crate) fn changing<T>(change: Change, then: impl FnOnce() -> T) -> T {
 /// The file's text.
 ///
 /// # Panics
-/// What is to be changed does not stand in it, or more than once.
+/// If the text to be replaced is missing, or occurs more than once.
 pub(super) fn text(file: &str, text: &'static str) -> &'static str {
     CHANGE.with_borrow(|change| match *change {
         Some([wanted, from, to]) if wanted == file => {

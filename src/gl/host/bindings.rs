@@ -1,4 +1,4 @@
-//! What is bound where: programs, framebuffers, buffers, images, and the textures and samplers of every unit.
+//! Bindings: programs, framebuffers, buffers, images, and the textures and samplers of every unit.
 
 use glow::HasContext;
 
@@ -136,7 +136,7 @@ impl Bindings {
         }
     }
 
-    /// The program in use, if deleting it waits until it is in use no more: it could not come back.
+    /// The program in use, if it was deleted and only exists while it is in use, so that it could not be restored.
     pub(super) fn doomed_program(&self, context: &Context) -> Option<glow::Program> {
         // SAFETY: the context is current, and the program exists while it is in use.
         self.program.filter(|&program| unsafe {
@@ -168,7 +168,7 @@ impl Bindings {
             for (index, range) in (0..).zip(&self.uniform_blocks) {
                 range.set(context, glow::UNIFORM_BUFFER, index);
             }
-            // After the indexed ones, which change these.
+            // This comes after the indexed bindings, which change it.
             for ((target, _), buffer) in buffer_targets(context).zip(&self.buffers) {
                 gl.bind_buffer(target, *buffer);
             }

@@ -1,4 +1,4 @@
-//! The state of fixed functions that is one for the whole context.
+//! The state of fixed functions that the whole context shares.
 
 use glow::HasContext;
 
@@ -6,7 +6,7 @@ use super::super::context::Context;
 use super::bindings::has_query_buffer;
 use super::per_buffer::PerBuffer;
 
-/// What is disabled when a frame begins. Listings enable what they need.
+/// Capabilities that are disabled when a frame begins. Listings enable those that they need.
 const CAPABILITIES: [u32; 25] = [
     glow::DEPTH_TEST,
     glow::STENCIL_TEST,
@@ -35,10 +35,10 @@ const CAPABILITIES: [u32; 25] = [
     glow::CLIP_DISTANCE7,
 ];
 
-/// The same of compatibility profiles: the alpha test and the polygon stipple.
+/// The same for compatibility profiles: the alpha test and the polygon stipple.
 const OF_OLD: [u32; 2] = [0x0BC0, 0x0B42];
 
-/// The same of extensions.
+/// The same for extensions.
 const OF_EXTENSIONS: [(&str, u32); 9] = [
     ("GL_EXT_depth_bounds_test", 0x8890),
     ("GL_EXT_stencil_two_side", 0x8910),
@@ -58,7 +58,7 @@ const LAST_VERTEX: u32 = 0x8E4E;
 const CLAMP_FRAGMENT_COLOR: u32 = 0x891B;
 const FIXED_ONLY: u32 = 0x891D;
 
-/// Everything, as it is or as a frame wants it.
+/// All of this state, either the current one or the one that a frame needs.
 #[derive(Debug)]
 pub(super) struct Fixed {
     enabled: Vec<(u32, bool)>,
@@ -83,7 +83,7 @@ pub(super) struct Fixed {
     clamp_fragments: Option<u32>,
 }
 
-/// One face's.
+/// The stencil state of a face.
 #[derive(Clone, Copy, Debug)]
 struct Stencil {
     func: u32,

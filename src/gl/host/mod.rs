@@ -1,10 +1,11 @@
-//! Being a guest in someone else's context: the state that a frame starts from, and the host's, which comes back after it.
+//! Being a guest in someone else's context: the state from which a frame starts, and the host's state, which is
+//! restored after it.
 //!
-//! [`known_state`] is what every frame starts from. A [`Visit`] keeps what the host had set of it, and of every binding that
-//! a machine changes, and puts that back.
+//! Every frame starts from [`known_state`]. A [`Visit`] keeps the host's values of this state and of every binding that
+//! a machine changes, and restores them.
 //!
-//! Excludes, because nothing of it reaches what is drawn here: the state of points and lines, patches, hints, multisampling
-//! of samples that there are not, seamless cube maps, every viewport but the first, and the host's own objects.
+//! Excludes state that does not affect what is drawn here: that of points and lines, patches, hints, multisampling,
+//! seamless cube maps, viewports other than the first, and the host's own objects.
 
 mod bindings;
 mod fixed;

@@ -1,4 +1,4 @@
-//! The state that each draw buffer has for itself: blending and the color mask.
+//! The state that each draw buffer has separately: blending and the color mask.
 
 use glow::HasContext;
 

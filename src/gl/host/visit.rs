@@ -41,10 +41,10 @@ const OCCLUSION_QUERIES: [(u32, &str); 3] = [
 ];
 
 impl Context {
-    /// Makes the context current, takes note of its state, and gives both back when the visit is dropped.
+    /// Makes the context current and keeps its state. Both are restored when the visit is dropped.
     ///
-    /// A [`Renderer`](crate::Renderer) visits by itself. Whoever works with a [`GlMachine`](crate::gl::GlMachine) in someone
-    /// else's context begins a visit first: a machine's calls, as GL's, leave the state as they set it.
+    /// A [`Renderer`](crate::Renderer) begins a visit by itself. A caller of a [`GlMachine`](crate::gl::GlMachine) in
+    /// someone else's context has to begin one: a machine's calls, like GL's, leave the state as they set it.
     ///
     /// Errors that OpenGL had pending are taken, and kept for [`foreign_errors`](Self::foreign_errors): they are of calls that
     /// were made before.
@@ -104,7 +104,7 @@ impl Drop for Visit<'_> {
                 // SAFETY: it was paused by this visit, and its program is in use again.
                 unsafe { context.glow().resume_transform_feedback() };
             }
-            // Whoever asked for the frame has been told of its errors; the host would take them for its own.
+            // The caller has been told of the frame's errors. The host would take them for its own.
             take_errors(context.glow());
         }
         context.end_visit();

@@ -1,4 +1,4 @@
-//! Mistakes about what is behind everything.
+//! Mistakes about the background.
 
 use std::collections::HashMap;
 
@@ -20,7 +20,7 @@ pub(super) fn tried(pair: &Pair<'_>, background: [f32; 3]) -> Vec<Tried> {
     tried
 }
 
-/// The image, composited over the background, held against the exact one.
+/// Compares the image, composited over the background, with the exact one.
 fn over_background(pair: &Pair<'_>, [r, g, b]: [f32; 3], is_premultiplied: bool) -> usize {
     let pixels = pair.image.pixels.iter().zip(&pair.exact.pixels);
     let left = pixels.filter(|(image, exact)| {
@@ -37,8 +37,8 @@ fn over_background(pair: &Pair<'_>, [r, g, b]: [f32; 3], is_premultiplied: bool)
     left.count()
 }
 
-/// Where nothing is, the image has another colour; elsewhere it differs by as much of that as shines through, which is
-/// between nothing and all.
+/// The image has another background colour. Elsewhere it differs by the part of that colour that shines through, which
+/// is between 0 and 1.
 fn another(pair: &Pair<'_>, [r, g, b]: [f32; 3]) -> Option<Tried> {
     let there = commonest_of_background(pair, Rgba::opaque([r, g, b]))?;
     let from = [r, g, b];
@@ -70,7 +70,7 @@ fn commonest_of_background(pair: &Pair<'_>, background: Rgba) -> Option<[f32; 3]
             *counts.entry(channels(image).map(f32::to_bits)).or_default() += 1;
         }
     }
-    // Of two as common ones always the same.
+    // Of two equally common colours, it is always the same one.
     let (bits, _) = counts
         .into_iter()
         .max_by_key(|&(bits, count)| (count, bits))?;

@@ -1,4 +1,4 @@
-//! Mistakes that change each pixel's colour by itself.
+//! Mistakes that change the colour of each pixel separately.
 
 use super::super::file::srgb;
 use super::pair::{Pair, Tried};
@@ -44,7 +44,7 @@ pub(super) fn tried(pair: &Pair<'_>) -> Vec<Tried> {
     tried
 }
 
-/// The same done to red, green and blue.
+/// Applies a function to red, green and blue.
 fn colors(pixel: &Rgba, rule: impl Fn(f32) -> f32) -> Rgba {
     Rgba::new(rule(pixel.r), rule(pixel.g), rule(pixel.b), pixel.a)
 }
@@ -77,7 +77,7 @@ fn alpha_alone(pair: &Pair<'_>) -> Tried {
     )
 }
 
-/// Each pixel of the image, multiplied by its alpha, held against the exact one.
+/// Compares each pixel of the image, multiplied by its alpha, with the exact one.
 fn unmultiplied(pair: &Pair<'_>) -> usize {
     let pixels = pair.image.pixels.iter().zip(&pair.exact.pixels);
     let left = pixels.filter(|(image, exact)| {
@@ -108,12 +108,12 @@ fn swapped(pair: &Pair<'_>) -> Vec<Tried> {
     tried.into()
 }
 
-/// All colours by one factor, the one that fits best of all in the middle; 8 bits end at 1.
+/// All colours multiplied by one factor, which is the median of the pixels' factors. 8 bits end at 1.
 fn scaled(pair: &Pair<'_>) -> Option<Tried> {
     let mut factors = Vec::new();
     for (image, exact) in pair.image.pixels.iter().zip(&pair.exact.pixels) {
         for (a, b) in [(image.r, exact.r), (image.g, exact.g), (image.b, exact.b)] {
-            // Of small values the factor is uncertain, and of those at the end of the range it is not to be had.
+            // The factor of small values is uncertain, and that of values at the end of the range is not known.
             let is_telling = b > 16.0 * pair.tolerance && a > 16.0 * pair.tolerance && a < 0.99;
             if is_telling {
                 factors.push(a / b);

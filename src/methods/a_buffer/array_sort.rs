@@ -1,18 +1,18 @@
-//! Which of its two sorts a Local Array gets, if the choice is left to us.
+//! Choosing between the two sorts of a Local Array, if the caller leaves the choice open.
 
 use super::options::{ABufferOptions, Sort};
 use crate::gl::network::odd_even_merge;
 
-/// Whether insertion sorts Local Arrays; `counts` are the pixels' complexities, `layers` the largest of them.
+/// Whether insertion sorts the Local Arrays. `counts` are the pixels' complexities, `layers` is the largest of them.
 ///
-/// A network compares as many pairs for every pixel, whatever the pixel has; insertion compares about n²/4 pairs for n
-/// fragments, but finds each of them by an index that it has to look up. On llvmpipe, where these cost four times as
-/// much, both take equally long where the mean of n² over the covered pixels is the number of the network's pairs.
-/// Measured at 1024 x 768: 20 against 191 pairs, 46 against 59 ms (random triangles); 100 against 543, 221 against 238
-/// ms (the molecule); 256 against 63, 236 against 151 ms (16 quads); 4096 against 543, 1483 against 541 ms (64 quads).
+/// A network compares the same number of pairs for every pixel. Insertion compares about n²/4 pairs for n fragments,
+/// but with dynamic indices, which on llvmpipe cost four times as much. So both take equally long if the mean of n²
+/// over the covered pixels is the number of the network's pairs. Measured at 1024 x 768: 20 against 191 pairs, 46
+/// against 59 ms (random triangles); 100 against 543, 221 against 238 ms (the molecule); 256 against 63, 236 against
+/// 151 ms (16 quads); 4096 against 543, 1483 against 541 ms (64 quads).
 ///
-/// ppDP alone inserts into a short array; written out, that was always quicker: by 6 % on the mesh of the bench, by 31 %
-/// on 16 quads.
+/// ppDP alone inserts into a short array. With the loop written out, that was always quicker: by 6 % on the mesh of the
+/// bench, and by 31 % on 16 quads.
 pub(super) fn inserts(options: &ABufferOptions, counts: &[u32], layers: u32) -> bool {
     match options.sort {
         Sort::Insertion => true,
@@ -24,13 +24,13 @@ pub(super) fn inserts(options: &ABufferOptions, counts: &[u32], layers: u32) -> 
     }
 }
 
-/// How many pairs a network compares that sorts as much of the array as is ever filled.
+/// The number of pairs that a network compares if it sorts only the part of the array that is ever filled.
 fn pairs(options: &ABufferOptions, layers: u32) -> usize {
     let filled = layers.next_power_of_two().min(options.array);
     odd_even_merge(filled as usize).len()
 }
 
-/// The mean of n² over the pixels that have any fragment; 0 if there are none.
+/// The mean of n² over the pixels that have any fragment, or 0 if there are none.
 fn mean_square(counts: &[u32]) -> f64 {
     let (mut squares, mut covered) = (0_u64, 0_u64);
     for &count in counts {

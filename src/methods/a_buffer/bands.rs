@@ -1,4 +1,4 @@
-//! Horizontal bands: how much of the image is rendered at a time, so that the fragment lists fit.
+//! Horizontal bands: the image is rendered in parts, so that the fragment lists fit into the memory.
 //!
 //! "Nothing lost" begins here: list memory is sized from an exact count of every pixel's fragments.
 
@@ -6,21 +6,21 @@ use super::options::{ABufferOptions, Fill, Manager};
 use crate::error::{Error, Result};
 use crate::gl::GlMachine;
 
-/// Rows that are rendered together, and what their lists need.
+/// A band: rows that are rendered together, and the memory of their lists.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Band {
     /// The first row, from the bottom.
     pub first_row: u32,
-    /// How many.
+    /// The number of rows.
     pub rows: u32,
-    /// The deepest pixel.
+    /// The complexity of the deepest pixel.
     pub layers: u32,
-    /// Fragments in all.
+    /// The number of all fragments.
     pub fragments: u64,
 }
 
 impl Band {
-    /// How many records the lists have room for.
+    /// The number of records for which the lists have room.
     pub fn records(&self, manager: Manager, width: u32) -> u64 {
         match manager {
             Manager::Ffb => u64::from(self.layers) * u64::from(width) * u64::from(self.rows),
@@ -43,21 +43,21 @@ impl Band {
     }
 }
 
-/// What the lists may take.
+/// The memory that the lists may take.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Room {
-    /// Bytes of all lists of a band together, and of `beside`. What a single row needs beyond that is refused.
+    /// The bytes of all lists of a band together with `beside`. An image with a single row that needs more is refused.
     pub bytes: u64,
-    /// Bytes that are taken whatever the band: the base offsets of the whole image's pixels, or the pool's counter.
+    /// The bytes that do not depend on the band: the base offsets of the whole image's pixels, or the pool's counter.
     pub beside: u64,
-    /// Records of a band, all in one buffer; as `bytes`.
+    /// The most records of a band, which are all in one buffer. As for `bytes`, more are refused.
     pub records: u64,
-    /// Bytes of a band that has more than one row.
+    /// The most bytes of a band with more than one row.
     pub quick: u64,
 }
 
 impl Room {
-    /// What is taken beside the lists of an image of so many pixels. An automatic fill counts as an ordered one.
+    /// The bytes beside the lists of an image of so many pixels. An automatic fill counts as an ordered one.
     pub fn beside(options: &ABufferOptions, pixels: u64) -> u64 {
         match (options.manager, options.fill) {
             (Manager::Ffb, _) => 0,
@@ -66,12 +66,12 @@ impl Room {
         }
     }
 
-    /// Bytes for bands that are rendered quickly, by a rasterizer that runs on the CPU.
+    /// The bytes of bands that a rasteriser on the CPU renders quickly.
     ///
-    /// Llvmpipe bins all triangles of a band, then draws tile by tile; with lists of 8 MiB, what a tile needs of them stays in
-    /// a core's cache. On 64 quads that took three quarters of the time that 128 MiB took. But every band processes the
-    /// whole geometry again. With 128 fragments to every triangle that is worth it several times over, and where there
-    /// are less, the bands are larger.
+    /// Llvmpipe bins all triangles of a band, then draws tile by tile; with lists of 8 MiB, the part that a tile needs
+    /// stays in a core's cache. On 64 quads that took three quarters of the time that 128 MiB took. But every band
+    /// processes the whole geometry again. With 128 fragments per triangle that is well worth it, and with fewer
+    /// fragments the bands are larger.
     pub fn quick(renderer: &str, triangles: u64, record_bytes: u64) -> u64 {
         const CACHED: u64 = 8 << 20;
         const FRAGMENTS_PER_TRIANGLE: u64 = 128;
@@ -82,7 +82,7 @@ impl Room {
     }
 }
 
-/// Cuts an image into bands, as few as there is room for. `counts` are the pixels' complexities, row by row from the bottom.
+/// Cuts an image into as few bands as possible. `counts` are the pixels' complexities, row by row from the bottom.
 ///
 /// # Errors
 /// If a single row does not fit.
@@ -92,7 +92,7 @@ pub fn bands(
     options: &ABufferOptions,
     room: Room,
 ) -> Result<Vec<Band>> {
-    // Where there is no fragment, nothing is allocated.
+    // Without a fragment, nothing is allocated.
     let fits = |band: &Band| {
         band.fragments == 0
             || band.bytes(options, width).saturating_add(room.beside) <= room.bytes
@@ -122,7 +122,7 @@ pub fn bands(
 
 /// The largest of some complexities.
 pub(super) fn deepest(counts: &[u32]) -> u32 {
-    // Unlike `max` of an iterator, this is compared many at a time.
+    // Unlike `max` of an iterator, this compares many at a time.
     counts.iter().copied().fold(0, u32::max)
 }
 
@@ -190,7 +190,8 @@ mod tests {
         assert_eq!(band.records(Manager::Dfb, 2), 7);
     }
 
-    /// Every cut of many random images: no row is missing or twice, every band fits, and none could take the next row.
+    /// For every cut of many random images, no row is missing or occurs twice, every band fits, and no band could take
+    /// the next row.
     #[test]
     fn bands_fit_and_are_as_few_as_can_be() {
         let mut state = 1_u32;

@@ -1,4 +1,4 @@
-//! What can be chosen about an A-buffer, in words.
+//! The options of A-buffers, by name.
 
 use super::super::choice::{AS_PRINTED, Choice, Setter, Takes, number, set, word};
 use super::options::{ABufferOptions, Fill, Keep, RecordColor, Sort};
@@ -21,8 +21,8 @@ pub(super) const CHOICES: &[Setter<ABufferOptions>] = &[
 const ARRAY: Choice = Choice {
     name: "array",
     takes: Takes::Value("N"),
-    help: "How many fragments the local array has room for: 8, 16, 32 ... 256; what a static one has no room for is lost, \
-           and counted [default: 64]",
+    help: "The number of fragments that the local array holds: 8, 16, 32 ... 256. Fragments that a static array cannot \
+           hold are lost, and counted [default: 64]",
 };
 
 const KEEP: Choice = Choice {
@@ -30,35 +30,35 @@ const KEEP: Choice = Choice {
     takes: Takes::Word(&[
         (
             "first",
-            "The first of the list: with ffb and dfb those submitted first, with ppll those submitted last",
+            "The first fragments of the list. With ffb and dfb they were submitted first, with ppll last",
         ),
         (
             "nearest",
-            "The nearest; the image is then that of the nearest N",
+            "The nearest fragments. The image is then that of the nearest N",
         ),
     ]),
-    help: "Which fragments a local array keeps that has no room for all, where nothing peels the rest [default: first, as \
-           the paper leaves it]",
+    help: "The fragments that a full local array keeps if nothing peels the rest. The paper leaves it open [default: \
+           first]",
 };
 const KEEPS: [(&str, Keep); 2] = [("first", Keep::First), ("nearest", Keep::Nearest)];
 
 const PEEL: Choice = Choice {
     name: "peel",
     takes: Takes::Value("N"),
-    help: "How many fragments ppDP peels at a time, 1 to 64 [default: 8]",
+    help: "The number of fragments that ppDP peels at a time, 1 to 64 [default: 8]",
 };
 
 const TERMINATION: Choice = Choice {
     name: "termination",
     takes: Takes::Value("0..1"),
-    help: "End a ray when less light than this comes through; the paper has 0.02 [default: 0, which is exact]",
+    help: "End a ray when less light than this comes through. The paper has 0.02 [default: 0, which is exact]",
 };
 
 const BUDGET: Choice = Choice {
     name: "budget",
     takes: Takes::Value("MIB"),
-    help: "The most MiB that fragment lists may take; what does not fit is rendered in horizontal bands. Without it, as \
-           many as are quick: on llvmpipe 8, more for many triangles",
+    help: "The most MiB that fragment lists may take. An image that needs more is rendered in horizontal bands \
+           [default: as many as are quick, on llvmpipe 8, and more for many triangles]",
 };
 
 const FILL: Choice = Choice {
@@ -67,7 +67,7 @@ const FILL: Choice = Choice {
         ("atomics", "Image atomics, as the paper has it"),
         (
             "ordered",
-            "Framebuffer fetch: a pixel's fragments take their turns",
+            "Framebuffer fetch, by which a pixel's fragments come in order",
         ),
     ]),
     help: "How lists are filled [default: ordered where the driver has it]",
@@ -80,7 +80,7 @@ const ARRAY_SORT: Choice = Choice {
         ("insertion", "Insertion sort, as the paper has it"),
         ("network", "A network of comparators"),
     ]),
-    help: "How local arrays are sorted; the result is the same [default: what is quicker for the scene]",
+    help: "How local arrays are sorted. The result is the same [default: the quicker sort for the scene]",
 };
 const SORTS: [(&str, Sort); 2] = [("insertion", Sort::Insertion), ("network", Sort::Network)];
 

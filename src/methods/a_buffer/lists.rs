@@ -1,4 +1,5 @@
-//! The lists' buffers: made once, and used by one band after the other; the base offsets are the whole image's.
+//! The lists' buffers. They are made once and used by one band after the other. The base offsets are those of the whole
+//! image.
 
 use super::bands::Band;
 use super::options::{Fill, Manager};
@@ -8,11 +9,11 @@ use crate::gl::{GlMachine, Texels};
 use crate::papers::stage;
 use crate::steps::Storage;
 
-/// Buffers that a listing binds whether the manager has them or not.
+/// Buffers that a listing binds even if the manager has no use for them.
 const UNUSED: [Storage; 3] = [paper::NEXT, paper::OFFSETS, paper::POOL];
 
 impl ABuffer {
-    /// Makes the buffers as large as any of the bands needs them, and scans for the base offsets.
+    /// Makes the buffers as large as the largest band needs, and scans for the base offsets.
     pub(super) fn allocate_lists(&self, machine: &mut GlMachine<'_>, bands: &[Band]) -> Result<()> {
         let width = machine.size()[0];
         let options = &self.options;
@@ -37,7 +38,7 @@ impl ABuffer {
         Ok(())
     }
 
-    /// Gets the buffers ready for a band, before which there are so many fragments.
+    /// Prepares the buffers for a band. `before` fragments are in earlier bands.
     pub(super) fn begin_band(
         &self,
         machine: &mut GlMachine<'_>,
@@ -53,7 +54,7 @@ impl ABuffer {
             width,
             band.layers,
             records,
-            // All offsets may have wrapped around; their differences are right all the same.
+            // All offsets may have wrapped around, but their differences are right.
             fragments_before as u32,
         ])?;
         if options.manager == Manager::Ppll && options.fill == Fill::Atomics {

@@ -1,22 +1,22 @@
-//! A limit of llvmpipe's that a resolve has to stay within: all loops of a shader invocation together end after 65535
-//! iterations, silently (Mesa 22.3 to 25, `LP_MAX_TGSI_LOOP_ITERATIONS`). A pixel that ran into it would lose fragments.
+//! A limit of llvmpipe for resolves: all loops of a shader invocation together end after 65535 iterations, silently
+//! (Mesa 22.3 to 25, `LP_MAX_TGSI_LOOP_ITERATIONS`). A pixel that reached the limit would lose fragments.
 
 use crate::error::{Error, Result};
 use crate::scene::Volume;
 
-/// Some are left for what is not counted here.
+/// The limit, with a reserve for iterations that are not counted here.
 const ITERATIONS: u64 = 60_000;
 /// Records that ppDP takes in one iteration (`pp_dp.glsl`).
 const STRIDE: u64 = 4;
 /// The largest array of ppDP.
 const LARGEST_PEEL: u32 = 64;
-/// In the worst order, insertion into a sorted array moves as many elements as the square of the complexity.
+/// In the worst order, the number of elements that insertion into a sorted array moves is the square of the complexity.
 const INSERTION: u32 = 200;
 
-/// The array that ppDP takes for a pixel of so many fragments: `peel`, or a larger one if the driver needs it.
+/// The size of ppDP's array for a pixel of so many fragments: `peel`, or a larger one if the driver needs it.
 ///
 /// # Errors
-/// If none is large enough.
+/// If no array is large enough.
 pub(super) fn peel_that_fits(renderer: &str, peel: u32, complexity: u32) -> Result<u32> {
     if !is_limited(renderer) {
         return Ok(peel);
@@ -54,7 +54,7 @@ pub(super) fn keeping_by_insertion_fits(renderer: &str, array: u32, complexity: 
     !is_limited(renderer) || sorting(array) + moved + 2 * array <= ITERATIONS
 }
 
-/// Whether it may keep them at all: the list is walked by a loop, and the largest arrays are sorted by one.
+/// Checks that it may keep them at all: a loop walks the list, and a loop sorts the largest arrays.
 ///
 /// # Errors
 /// If the list is too long.
@@ -77,14 +77,14 @@ const fn sorting(array: u64) -> u64 {
     array * array / 2
 }
 
-/// Pixels that llvmpipe shades at a time. Their loops are one loop, which goes on while any of them does; in the worst case
-/// no two of them sample at the same time.
+/// The number of pixels that llvmpipe shades at a time. They share one loop, which goes on as long as any of them does.
+/// In the worst case no two of them sample at the same time.
 const TOGETHER: f64 = 8.0;
 
-/// Whether the volumes of a scene can be sampled along every ray.
+/// Checks that the volumes of a scene can be sampled along every ray.
 ///
 /// # Errors
-/// A ray through all of them, corner to corner, would take too many samples.
+/// If a ray through all of them, from corner to corner, would take too many samples.
 pub(super) fn expect_samples_fit(renderer: &str, volumes: &[Volume]) -> Result<()> {
     let steps = volumes.iter().map(Volume::sampling_distance);
     let Some(step) = steps.reduce(f64::min) else {

@@ -1,19 +1,19 @@
-//! A-buffers (Lindholm et al. 2015): every fragment is kept, in a list for each pixel; then each list is sorted in a
+//! A-buffers (Lindholm et al. 2015). Every fragment is kept, in a list for each pixel. Then each list is sorted in a
 //! Local Array and composited.
 //!
-//! Three steps (figure 3): clear, fill, resolve. Lists live in global memory, managed in one of three ways
-//! ([`Manager`]); Local Arrays are a shader's private memory, static or managed by the paper's two components, ppAO and
-//! ppDP. Fragments of equal depth are composited in the order of submission, with every manager and every fill: a record's
-//! id is its triangle's place in that order.
+//! There are three steps (figure 3): clear, fill, resolve. Lists are in global memory, which is managed in one of three
+//! ways ([`Manager`]). Local Arrays are private memory of a shader. They are static, or managed by the paper's two
+//! components, ppAO and ppDP. Fragments of equal depth are composited in the order of submission, with every manager
+//! and every fill: a record's id is its triangle's place in that order.
 //!
-//! What is not in the image: with a static array, and with ppAO alone, what lies past N in a list, whose order [`Keep`]
-//! tells, or with [`Keep::Nearest`] what lies behind the N nearest; with early ray
-//! termination, what lies behind the point where the ray ended; as printed, ties across ppDP's subpasses. All of it is
-//! counted.
+//! Some fragments are not in the image. A static array, and ppAO alone, leave out fragments after the first N of a
+//! list, whose order [`Keep`] explains, or with [`Keep::Nearest`] fragments behind the N nearest. Early ray termination
+//! leaves out fragments behind the point where the ray ended. As printed, ppDP leaves out ties across its subpasses.
+//! All of these fragments are counted.
 //!
-//! Volumes (section 6.1) enter the lists as the boxes around them, and rays are cast between the fragments. A static
-//! array that drops a box's fragment does not know where the ray enters or leaves: it takes the ray to begin inside, or
-//! to stay inside; the pixel counts as truncated.
+//! Volumes (section 6.1) enter the lists as the boxes around them, and rays are cast between the fragments. If a static
+//! array drops a box's fragment, it is unknown where the ray enters or leaves the volume. The ray is then taken to
+//! begin or to stay inside, and the pixel counts as truncated.
 //!
 //! Excludes: multisampling.
 
@@ -48,7 +48,7 @@ use crate::steps::{Amendment, Machine, Reason, Variables, run};
 struct ABuffer {
     options: ABufferOptions,
     counts: ABufferCounts,
-    /// Whether the Resolve Step writes down what each pixel costs.
+    /// Whether the Resolve Step records the cost of each pixel.
     counts_costs: bool,
     /// VOLUMES and POINTS, for the shaders.
     volumes: [(&'static str, u32); 2],
@@ -97,11 +97,11 @@ impl ABuffer {
         }
     }
 
-    /// What the shaders are compiled with.
+    /// The shaders' defines.
     fn constants(&self, machine: &GlMachine<'_>, insertion: bool) -> Vec<(&'static str, u32)> {
         let options = &self.options;
         let yes = u32::from;
-        // Elements beyond it are empty, and a network need not compare them.
+        // Elements beyond the deepest pixel's are empty, and a network need not compare them.
         let deepest = match insertion {
             true => options.array,
             false => self.layers.next_power_of_two(),
@@ -156,7 +156,7 @@ impl Algorithm for ABuffer {
         machine.allocate(paper::COUNTER, Format::R32Ui)?;
         machine.allocate(paper::ANCHOR, Format::R32Ui)?;
         let depth = stage::OPAQUE_DEPTH;
-        // What is attached costs time, written or not.
+        // An attachment costs time even if it is not written.
         let [cleared, inouts]: [&[_]; 2] = match (self.ordered(machine), self.options.manager) {
             (true, _) => [&[paper::COUNTER], &[paper::COUNTER]],
             (false, Manager::Ffb | Manager::Dfb) => [&[paper::COUNTER], &[]],
@@ -247,10 +247,10 @@ impl Algorithm for ABuffer {
     }
 }
 
-/// That there is a stencil buffer to count in, or to mark pixels in.
+/// Checks that there is a stencil buffer in which to count, or in which to mark pixels.
 ///
 /// # Errors
-/// The depth format has none.
+/// If the depth format has no stencil.
 pub(super) fn expect_stencil(machine: &GlMachine<'_>) -> Result<()> {
     let format = machine.format(stage::OPAQUE_DEPTH)?;
     if format.has_stencil() {
@@ -262,11 +262,12 @@ pub(super) fn expect_stencil(machine: &GlMachine<'_>) -> Result<()> {
     ))
 }
 
-/// The most that the stencil buffer counts without being full.
+/// The largest count of the stencil buffer that is certainly right.
 const STENCIL_COUNTS: u32 = 254;
 
 impl ABuffer {
-    /// Every pixel's complexity, by the stencil buffer where that is enough: it is quicker, but a prefix scan reads colours.
+    /// Every pixel's complexity. The stencil buffer counts it if that is enough, because it is quicker. But a prefix
+    /// scan needs colours.
     fn count(&self, machine: &mut GlMachine<'_>, proxies: &[Amendment]) -> Result<Vec<u32>> {
         let depth = Some(stage::OPAQUE_DEPTH);
         if !self.options.has_offsets() && machine.format(stage::OPAQUE_DEPTH)?.has_stencil() {
@@ -357,8 +358,8 @@ impl ABuffer {
         Ok(())
     }
 
-    /// How many of ppAO's segments have a pixel, if the deepest one has `layers` fragments. As printed, segments are not
-    /// told apart, and all are drawn.
+    /// The number of ppAO's segments that have a pixel, if the deepest pixel has `layers` fragments. As printed,
+    /// segments are not told apart, and all of them are drawn.
     fn segments_for(&self, layers: u32) -> usize {
         let all = self.options.segments().count();
         let takes_the_deepest = self.options.segments().position(|size| layers <= size);

@@ -1,22 +1,22 @@
-//! What can be chosen about an A-buffer.
+//! Options of A-buffers.
 
-/// How the global memory of the fragment lists is managed (section 4, figure 4).
+/// The manager of the fragment lists' global memory (section 4, figure 4).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Manager {
     /// Fixed Fragment Buffer: every pixel has room for as many records as the deepest pixel needs.
     Ffb,
     /// Dynamic Fragment Buffer: every pixel has the room that it needs, at a base offset that a prefix scan finds.
     Dfb,
-    /// Per-Pixel Linked Lists in one pool of nodes: taken as they come by [`Fill::Atomics`], a pixel's nodes side by side
-    /// by [`Fill::Ordered`].
+    /// Per-Pixel Linked Lists in one pool of nodes. [`Fill::Atomics`] takes nodes in the order of the fragments.
+    /// [`Fill::Ordered`] puts a pixel's nodes side by side.
     #[default]
     Ppll,
 }
 
-/// How a Local Array is sorted. The result is the same.
+/// The sort of a Local Array. The result does not depend on it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Sort {
-    /// Whichever is quicker: insertion where most pixels have few fragments, otherwise a network.
+    /// The quicker one: insertion if most pixels have few fragments, otherwise a network.
     #[default]
     Automatic,
     /// Comparisons that are fixed beforehand, written out with constant indices: Batcher's network, and in ppDP an
@@ -26,11 +26,11 @@ pub enum Sort {
     Insertion,
 }
 
-/// The largest array that a network sorts; larger ones take the driver too long to compile. Llvmpipe takes two seconds for 32
-/// elements and six for 64.
+/// The largest array that a network sorts. Drivers take too long to compile larger networks: llvmpipe takes two seconds
+/// for 32 elements and six for 64.
 pub const LARGEST_NETWORK: u32 = 128;
 
-/// How fragments find their places in the lists.
+/// The way in which fragments find their places in the lists.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Fill {
     /// Framebuffer fetch where the driver has it, otherwise atomics.
@@ -39,27 +39,28 @@ pub enum Fill {
     /// Image atomics, as the paper has it.
     Atomics,
     /// `GL_EXT_shader_framebuffer_fetch`: a pixel's fragments take their turns, without atomics. Linked lists then find
-    /// their nodes by DFB's base offsets, for pixels that share no counter share no pool either.
+    /// their nodes by DFB's base offsets, because pixels that share no counter cannot share a pool.
     Ordered,
 }
 
-/// Which fragments a full Local Array keeps, where nothing peels the rest: with a static array, and with ppAO alone.
+/// The fragments that a full Local Array keeps if nothing peels the rest, which is so with a static array and with ppAO
+/// alone.
 ///
-/// The paper leaves it open: "all fragments beyond this number are discarded" (section 4, Managing Local GPU Caches), but
-/// beyond it in which order is not said.
+/// The paper leaves this open: "all fragments beyond this number are discarded" (section 4, Managing Local GPU Caches),
+/// but it does not say in which order.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Keep {
-    /// The first of the list as it is walked. FFB and DFB keep what came first, PPLL, whose lists begin at their newest
-    /// node, what came last. Fragments come in the order of submission by [`Fill::Ordered`]; by [`Fill::Atomics`] they
-    /// come as the driver runs them, which on llvmpipe is the same order.
+    /// The first fragments of the list as it is walked. FFB and DFB keep the fragments that came first. PPLL's lists
+    /// begin at their newest node, so it keeps the fragments that came last. Fragments come in the order of submission
+    /// by [`Fill::Ordered`]; by [`Fill::Atomics`] they come in the driver's order, which on llvmpipe is the same.
     #[default]
     First,
-    /// The nearest, and of equal depths the first submitted: the whole list is read, and in a full array a nearer
-    /// fragment takes the place of the farthest. The same with every manager and every fill.
+    /// The nearest fragments, and of equal depths those submitted first. The whole list is read, and in a full array a
+    /// nearer fragment takes the place of the farthest. The result is the same with every manager and every fill.
     Nearest,
 }
 
-/// How a record keeps its colour.
+/// The format of a record's colour.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum RecordColor {
     /// Four 16-bit floats, as the paper has it: records of 16 bytes.
@@ -70,7 +71,7 @@ pub enum RecordColor {
 }
 
 impl RecordColor {
-    /// Bytes of a record with such a colour, its link left out.
+    /// The bytes of a record with such a colour, without its link.
     pub(super) const fn record_bytes(self) -> u64 {
         match self {
             Self::Half => 16,
@@ -79,41 +80,41 @@ impl RecordColor {
     }
 }
 
-/// What can be chosen about an A-buffer.
+/// Options of A-buffers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ABufferOptions {
-    /// Global memory.
+    /// The manager of the global memory.
     pub manager: Manager,
     /// per-pixel Array Optimization: a program for each complexity segment 8, 16, 32 ... `array`.
     pub pp_ao: bool,
-    /// per-pixel Depth Peeling: what does not fit into the Local Array is taken in another subpass. With ppAO it is the
-    /// last segment that has them, with an array of `array`; without, every pixel, with an array of `peel`.
+    /// per-pixel Depth Peeling: fragments that do not fit into the Local Array are taken in another subpass. With ppAO,
+    /// only the last segment peels, with an array of `array`. Without ppAO every pixel does, with an array of `peel`.
     pub pp_dp: bool,
-    /// N: how many fragments the static Local Array has room for, and ppAO's last segment. 1 to 256; a power of two, and
-    /// at least 8 with ppAO. 64 is "a number often reported in the literature".
+    /// N, the size of the static Local Array, and of ppAO's last segment. It is 1 to 256, and with ppAO a power of two
+    /// of at least 8. 64 is "a number often reported in the literature".
     pub array: u32,
-    /// n: the Local Array of ppDP, 1 to 64. The paper finds 8 the fastest.
+    /// n, the size of ppDP's Local Array, 1 to 64. The paper finds 8 the fastest.
     pub peel: u32,
-    /// How Local Arrays are sorted.
+    /// The sort of Local Arrays.
     pub sort: Sort,
-    /// How lists are filled.
+    /// The way in which lists are filled.
     pub fill: Fill,
-    /// How records keep colours.
+    /// The format of records' colours.
     pub color: RecordColor,
-    /// Which fragments an array keeps that has no room for all of its pixel's. Not with ppDP, which drops none.
+    /// The fragments that a full array keeps. It cannot be chosen with ppDP, which drops none.
     pub keep: Keep,
     /// A ray ends when less light than this comes through, 0 to 1. 0, the default, is exact; the paper has 0.02.
     pub termination: f32,
-    /// The most bytes that fragment lists may take, all pixels' base offsets included. What does not fit is rendered in
-    /// horizontal bands. If it is none: as many as the driver has room for and renders quickly
-    /// ([`Room::quick`](super::Room::quick)).
+    /// The most bytes that fragment lists may take, including the base offsets of all pixels. An image that needs more
+    /// is rendered in horizontal bands. With `None`, the lists take as much as the driver has room for and renders
+    /// quickly ([`Room::quick`](super::Room::quick)).
     pub budget: Option<u64>,
-    /// ppAO masked by the stencil buffer and ppDP by depth alone, with nothing amended.
+    /// Whether to run the paper's text without amendments: ppAO masked by the stencil buffer, and ppDP by depth alone.
     pub as_printed: bool,
 }
 
 impl ABufferOptions {
-    /// The defaults, in a form that constants can be made of.
+    /// The defaults, as a constant.
     pub const DEFAULT: Self = Self {
         manager: Manager::Ppll,
         pp_ao: false,
@@ -129,7 +130,7 @@ impl ABufferOptions {
         as_printed: false,
     };
 
-    /// Bytes of a record with what links it to the next.
+    /// The bytes of a record with its link to the next.
     pub fn record_bytes(&self) -> u64 {
         let record = self.color.record_bytes();
         match self.manager {
@@ -138,7 +139,7 @@ impl ABufferOptions {
         }
     }
 
-    /// Whether a pixel's records lie behind a base offset. An automatic fill counts as an ordered one.
+    /// Whether a pixel's records begin at a base offset. An automatic fill counts as an ordered one.
     pub(super) fn has_offsets(&self) -> bool {
         match (self.manager, self.fill) {
             (Manager::Ffb, _) | (Manager::Ppll, Fill::Atomics) => false,

@@ -10,8 +10,9 @@
 //! ```
 //!
 //! The paper prints the passes ([`super::passes`]) and describes in prose the ranges that a fragment shader clips to,
-//! the compositing passes 5 and 6, the maps, and the end of the loop. The prose is written out here as it stands; where
-//! it is wrong or silent, [`AMENDMENTS`] say what it takes; what the paper only points at stands beside them.
+//! the compositing passes 5 and 6, the maps, and the end of the loop. The prose is written out here as it stands. Where
+//! it is wrong or silent, [`AMENDMENTS`] correct or complete it. Improvements that the paper only points at stand
+//! beside them.
 
 mod amendments;
 mod loops;

@@ -1,4 +1,4 @@
-//! Algorithm 1, hybrid layer peeling, and layer peeling, which is what is left of it without sorted geometry.
+//! Algorithm 1, hybrid layer peeling, and layer peeling, which is the same without sorted geometry.
 //!
 //! [`ALGORITHM_1`] is the printed pseudocode. [`HYBRID`] is what OpenGL runs: each `for all ... geometry` is a geometry
 //! pass, each `if` a depth test or a fragment shader that clips, `gChanged` an occlusion query.
@@ -51,7 +51,7 @@ pub const ALGORITHM_1: Algorithm = Algorithm {
     },
 };
 
-/// What makes Algorithm 1 right.
+/// The corrections of Algorithm 1.
 pub const AMENDMENTS_1: [Amendment<Line>; 3] = [
     Amendment {
         key: "X21",
@@ -128,7 +128,8 @@ pub const HYBRID: Listing = Listing {
     },
 };
 
-/// Layer peeling in the paper's count: one geometry pass finds the next depth, one composites what lies there.
+/// Layer peeling as the paper counts it: one geometry pass finds the next depth, and one composites the surfaces at
+/// that depth.
 pub const LAYER_PEELING: Listing = Listing {
     title: "Layer peeling with two geometry passes an iteration",
     source: "Carr et al. 2008, sections 1 and 8",
@@ -236,7 +237,7 @@ pub const AMENDMENTS: [Amendment; 3] = [
         key: "X21",
         place: "Algorithm 1, line 2",
         printed: steps! { glUseProgram(OPEN_OPEN); },
-        // A depth map holds nothing before the near plane.
+        // A depth map cannot hold a depth before the near plane.
         amended: steps! {
             if (i == 0) {
                 glUseProgram(CLOSED_OPEN);
@@ -265,7 +266,7 @@ pub const AMENDMENTS: [Amendment; 3] = [
     },
 ];
 
-/// What [`HYBRID`] and [`LAYER_PEELING`] take for granted.
+/// The resources that [`HYBRID`] and [`LAYER_PEELING`] take for granted.
 pub const RESOURCES: [&Resources; 2] = [
     &stage::ACCUMULATING,
     &Resources {
@@ -281,7 +282,7 @@ pub const Z_PEEL: Map = Map::named("zPeel");
 /// The depth of the next one.
 pub const Z_PEEL_NEXT: Map = Map::named("zPeelNext");
 
-/// Line 17's range, which is open: the same clip as line 11's, which is another matter.
+/// Line 17's range, which is open. It is the same clip as line 11's, for another purpose.
 const BETWEEN_PEELS_AS_PRINTED: Shader = Shader("clip/between_peels_as_printed");
 /// Surfaces that the peel has found.
 pub const CHANGED: Query = Query("gChanged");

@@ -63,7 +63,7 @@ pub const ALGORITHM_2: Algorithm = Algorithm {
     },
 };
 
-/// What makes Algorithm 2 right.
+/// The corrections of Algorithm 2.
 pub const AMENDMENTS_2: [Amendment<Line>; 2] = [RESET_Z3, BEFORE_OPAQUE];
 
 /// A pixel with nothing left keeps `z3`, hence `zPeel`, and composites its last layer again in every further iteration.
@@ -79,7 +79,7 @@ pub const RESET_Z3: Amendment<Line> = Amendment {
     test: "x22_pixels_that_are_done_composite_their_last_layer_again",
 };
 
-/// Where nothing is left `zPeel` becomes the opaque depth.
+/// If nothing is left, `zPeel` becomes the opaque depth.
 pub const BEFORE_OPAQUE: Amendment<Line> = Amendment {
     key: "X22",
     place: "Algorithm 2, line 31",
@@ -98,7 +98,7 @@ pub const BEFORE_OPAQUE: Amendment<Line> = Amendment {
 };
 
 /// An improvement that the printed `z2` suggests: an unbroken run ends at the loose bound `z2`, not at its own last
-/// surface. It cures X22 as well.
+/// surface. It also corrects X22.
 pub const TIGHT_BOUND: [Amendment<Line>; 4] = [
     Amendment {
         key: "X23",
@@ -275,12 +275,12 @@ pub const BY_IMAGES: [Amendment; 3] = [
 
 /// Draws into no color map.
 const NO_COLORS: Target = Target("no colors");
-/// Nothing is written to it: see `GlMachine::traps` for why it is there.
+/// Nothing is written to it. `GlMachine::traps` explains why it is attached.
 const UNUSED_DEPTH: Map = Map::named("unused depth");
 
 /// `z1`, `z2`, `z3` and `zPostFlag`.
 pub const DEPTHS: Map = Map::named("z1 z2 z3 zPostFlag");
-/// What the listing takes for granted, in 32-bit floats, for depths need them.
+/// The resources that the listing takes for granted. Maps have 32-bit floats, because depths need them.
 pub const RESOURCES: Resources = Resources {
     maps: &[
         (DEPTHS, Holds::Exactly(Format::Rgba32F)),
@@ -292,7 +292,7 @@ pub const RESOURCES: Resources = Resources {
     ..Resources::NONE
 };
 
-/// What [`BY_IMAGES`] needs besides.
+/// The resources that [`BY_IMAGES`] needs in addition.
 pub const NO_COLOR_RESOURCES: Resources = Resources {
     maps: &[(UNUSED_DEPTH, Holds::Exactly(Format::Depth32FStencil8))],
     framebuffers: &[Framebuffer::new(NO_COLORS, &[], Some(UNUSED_DEPTH))],
@@ -310,5 +310,6 @@ const PASS_1: Shader = Shader("ideal/pass_1");
 const PASS_2_AS_PRINTED: Shader = Shader("ideal/pass_2");
 const PASS_2_TIGHT: Shader = Shader("ideal/pass_2_tight");
 const CHANGED_PIXELS: Shader = Shader("ideal/changed");
-/// Pixels of which pass 1 has changed a depth: `gChanged`. A query on pass 1 itself would count what it composites.
+/// The pixels at which pass 1 has changed a depth: `gChanged`. A query on pass 1 itself would count the surfaces that
+/// it composites.
 pub const CHANGED: Query = Query("gChanged");

@@ -10,7 +10,7 @@
 //! | Algorithm 2, the ideal GPU | [`ideal`] |
 //! | layer peeling, as the paper counts it | [`hybrid::LAYER_PEELING`] |
 //!
-//! What the printed text gets wrong or leaves open stands beside each as amendments.
+//! Amendments beside each listing correct errors of the printed text, and fill what it leaves open.
 //!
 //! The paper's letters: `s_c` is the last surface that was peeled, `s_n` the first behind it, `D(s)` a surface's depth.
 

@@ -1,7 +1,7 @@
 //! The state listings of sections 5.1 and 6, call by call.
 //!
 //! State persists from pass to pass: pass 2 clears to the depth that pass 1 has set, and to the stencil function of its
-//! own. What the shader clips to, and where the results go, the paper says around them; see
+//! own. The paper's prose around the listings says to which range the shader clips, and where the results go; see
 //! [`coherent`](super::coherent).
 
 use crate::steps;
@@ -26,7 +26,7 @@ pub const PASS_1: Listing = Listing {
     },
 };
 
-/// Counts back down to 1: all but the last of them; the depth becomes `z_min_prev`.
+/// Counts back down to 1, which takes all but the last of these surfaces. The depth becomes `z_min_prev`.
 pub const PASS_2: Listing = Listing {
     title: "Pass 2: the nearest surface before s_n in the order of submission",
     source: "Carr et al. 2008, section 5.1, pass 2",
@@ -43,7 +43,7 @@ pub const PASS_2: Listing = Listing {
     },
 };
 
-/// Counts the surfaces of the unbroken run; the first that breaks it inverts the stencil value.
+/// Counts the surfaces of the unbroken run. The first surface that breaks the run inverts the stencil value.
 pub const PASS_3: Listing = Listing {
     title: "Pass 3: count the surfaces that follow s_n in order",
     source: "Carr et al. 2008, section 5.1, pass 3",
@@ -61,7 +61,7 @@ pub const PASS_3: Listing = Listing {
     },
 };
 
-/// Skips as many as pass 3 has counted; the depth becomes `z_min_post`, the nearest of the rest.
+/// Skips as many surfaces as pass 3 has counted. The depth becomes `z_min_post`, the nearest of the rest.
 pub const PASS_4: Listing = Listing {
     title: "Pass 4: the nearest surface that interrupts the run",
     source: "Carr et al. 2008, section 5.1, pass 4",

@@ -1,4 +1,5 @@
-//! What sections 5 and 6 and the two algorithms share: maps, framebuffers, shaders, and a standard compositing pass.
+//! The parts that sections 5 and 6 and the two algorithms share: maps, framebuffers, shaders, and a standard
+//! compositing pass.
 
 use crate::steps;
 use crate::steps::{Dialect, Listing, Map, Query, Shader, Target, gl::*};
@@ -33,7 +34,7 @@ pub const AT_BOUND_AS_PRINTED: Shader = Shader("clip/at_bound_as_printed");
 /// Surfaces that a compositing pass has put into the image.
 pub const COMPOSITED: Query = Query("composited");
 
-/// What front-to-back compositing is on OpenGL: each surface goes under those before it. The colours are premultiplied.
+/// Front-to-back compositing on OpenGL: each surface goes under those before it. The colours are premultiplied.
 pub const UNDER: Listing = Listing {
     title: "A standard compositing pass, front to back",
     source: "Carr et al. 2008, section 5.2",

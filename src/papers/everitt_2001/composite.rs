@@ -23,8 +23,8 @@ pub const COMPOSITE: Listing = Listing {
     },
 };
 
-/// The printed blend function also blends alpha by alpha: over an opaque background the image's own alpha becomes
-/// `a² + 1 - a`, less than 1 wherever there is a layer. On a screen nobody sees it; in a file everybody does.
+/// The printed blend function also blends alpha by alpha: over an opaque background the image's own alpha becomes `a² +
+/// 1 - a`, less than 1 wherever there is a layer. On a screen this is invisible, but not in a file.
 pub const ALPHA: Amendment = Amendment {
     key: "E12",
     place: "Putting It All Together, the blending function",

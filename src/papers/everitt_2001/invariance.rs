@@ -1,4 +1,4 @@
-//! "An Invariance Issue": what stands beside Listing 1 when depth unit 0 is tried in other ways.
+//! "An Invariance Issue": amendments to Listing 1 that make depth unit 0 in other ways.
 //!
 //! The listing that runs sets the variables `quotient`, `in_shader`, `steps` and `bias`, which the shaders of
 //! `glsl/invariance/` describe.
@@ -51,7 +51,7 @@ const UNIFORMS: crate::steps::Listing = crate::steps::Listing {
     },
 };
 
-/// A comparison in the shader has to be told that the first pass has none.
+/// A shader that compares has to be told that the first pass has no comparison.
 const PASS_0: Amendment = Amendment {
     key: "E06",
     place: "Listing 1, depth unit 0",

@@ -1,5 +1,5 @@
-//! Listing 2: window z computed by NV_texture_shader from texture coordinates, in the way in which the shadow lookup
-//! will compute what it compares.
+//! Listing 2: NV_texture_shader computes window z from texture coordinates, in the same way in which the shadow lookup
+//! will compute the depth that it compares.
 
 use crate::steps;
 use crate::steps::{Dialect, Listing, gl::*};

@@ -1,10 +1,10 @@
-//! "Shadow Mapping as Depth Test", as the OpenGL of 2001 does it: the paper gives it in prose.
+//! "Shadow Mapping as Depth Test", as the OpenGL of 2001 does it. The paper describes it in prose.
 //!
 //! The shadow map has the camera's own orientation and resolution, so its texture matrix is the camera's projection with
 //! scale and bias from clip to texture space. The comparison of r/q goes into alpha, and the alpha test discards.
 //!
-//! SGIX_shadow compares by LEQUAL and GEQUAL only; GREATER came with EXT_shadow_funcs, which VTK asks for. Modulating
-//! leaves a fragment that passes its own alpha; one whose alpha is 0 never passes, and nobody misses it.
+//! SGIX_shadow compares by LEQUAL and GEQUAL only; GREATER came with EXT_shadow_funcs, which VTK asks for. Modulation
+//! leaves a fragment that passes its own alpha. A fragment whose alpha is 0 never passes, but it is invisible anyway.
 
 use crate::steps;
 use crate::steps::{Dialect, Listing, gl::*};

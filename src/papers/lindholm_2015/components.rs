@@ -1,5 +1,5 @@
-//! Section 4's static Local Array; sections 5.1 and 5.2: ppAO and ppDP as the paper prints them, and what makes them
-//! right.
+//! Section 4's static Local Array, and sections 5.1 and 5.2: ppAO and ppDP as the paper prints them, with their
+//! corrections.
 
 use crate::lists;
 use crate::steps::Amendment;
@@ -7,16 +7,17 @@ use crate::steps::pseudo::Algorithm;
 use crate::steps::pseudo::list::Line;
 
 /// The static Local Array: "allocate a fixed sized array, of size N per thread". "All fragments beyond this number are
-/// discarded": beyond it in the Fragment List, whose order the paper leaves open. As the lists of figure 4 are filled and
-/// walked, FFB and DFB keep those that came first, and PPLL, which begins at its newest node, those that came last.
+/// discarded": beyond it in the Fragment List, whose order the paper leaves open. As the lists of figure 4 are filled
+/// and walked, FFB and DFB keep the fragments that came first. A list of PPLL begins at its newest node, so PPLL keeps
+/// the fragments that came last.
 pub const STATIC_ARRAY: Algorithm<Line> = Algorithm {
     title: "Static Local Array",
     source: "Lindholm et al. 2015, section 4, Managing Local GPU Caches",
     lines: lists! { forall pixels do { resolve segment with Local Array; } },
 };
 
-/// Which fragments a pixel keeps that has more of them than its array, said instead of left to the list's order: the
-/// nearest, which hide the others. It takes one subpass of ppDP.
+/// A pixel with more fragments than its array keeps the nearest, which hide the others, instead of those that the
+/// list's order gives. It takes one subpass of ppDP.
 pub const NEAREST: Algorithm<Line> = Algorithm {
     title: "Static Local Array of the nearest",
     source: "onionskin",
@@ -94,7 +95,7 @@ pub const PP_DP: Algorithm<Line> = Algorithm {
     },
 };
 
-/// What makes ppDP right.
+/// The corrections of ppDP.
 pub const PP_DP_AMENDMENTS: [Amendment<Line>; 4] = [START, SKIP_BY_ID, STORE_ID, STOP];
 
 /// Erratum L4.
@@ -143,7 +144,7 @@ pub const STORE_ID: Amendment<Line> = Amendment {
     test: "l13_ties_are_lost_where_a_buffer_ends_as_printed",
 };
 
-/// Erratum L3. What was printed, read as a count, never holds once a fragment is lost.
+/// Erratum L3. The printed condition, read as a count, never holds once a fragment is lost.
 pub const STOP: Amendment<Line> = Amendment {
     key: "L3",
     place: "section 5.2, until all fragments are resolved",
@@ -154,7 +155,7 @@ pub const STOP: Amendment<Line> = Amendment {
 };
 
 /// Erratum L2: "the process sorts n-1 elements in the Fragment List per subpass", but min depth is that "of last buffer
-/// element". So says the text beside the pseudocode.
+/// element". This is from the text beside the pseudocode.
 pub const AS_THE_TEXT_SAYS: Amendment<Line> = Amendment {
     key: "L2",
     place: "section 5.2, resolve buffer",
@@ -164,8 +165,8 @@ pub const AS_THE_TEXT_SAYS: Amendment<Line> = Amendment {
     test: "l12_n_minus_1_a_pass_but_going_on_from_the_nth_loses_one_a_pass",
 };
 
-/// The text's n-1 a subpass made right: all of [`PP_DP_AMENDMENTS`], and going on from the last that was resolved. It
-/// needs n of 2 and more.
+/// The text's n-1 fragments per subpass, corrected: all of [`PP_DP_AMENDMENTS`], and each subpass goes on from the last
+/// fragment that was resolved. It needs an n of at least 2.
 pub const N_MINUS_1: [Amendment<Line>; 5] = [
     START,
     SKIP_BY_ID,
@@ -179,8 +180,8 @@ pub const N_MINUS_1: [Amendment<Line>; 5] = [
     STOP,
 ];
 
-/// What makes ppAO right, errata L5 to L7: a pixel belongs to one segment by its own count, which needs no mark; the
-/// last segment takes every pixel that is left, and what is too many for its array is peeled.
+/// The corrections of ppAO, errata L5 to L7. A pixel's count says to which single segment it belongs, so no mark is
+/// needed. The last segment takes every pixel that is left, and peels the fragments that its array cannot hold.
 pub const PP_AO_AMENDMENT: Amendment<Line> = Amendment {
     key: "L5, L6, L7",
     place: "section 5.1, if depth complexity(p) <= i",
@@ -203,7 +204,7 @@ pub const PP_AO_AMENDMENT: Amendment<Line> = Amendment {
     test: "l11_past_the_last_segment_nothing_is_resolved_as_printed",
 };
 
-/// The same without ppDP: what overflows the last segment's array is dropped.
+/// The same without ppDP: fragments that overflow the last segment's array are dropped.
 pub const PP_AO_WITHOUT_PP_DP: Amendment<Line> = Amendment {
     amended: lists! {
         if (p is of segment i) then {
@@ -231,8 +232,8 @@ pub const PP_AO_KEEPING_NEAREST: Amendment<Line> = Amendment {
     ..PP_AO_AMENDMENT
 };
 
-/// Section 6.2: "the ppAO component is implemented using an 8bit stencil buffer", counted up with `counter`, masked with
-/// the stencil function, marked with a stencil operation of which the paper does not say which.
+/// Section 6.2: "the ppAO component is implemented using an 8bit stencil buffer", counted up with `counter`, masked
+/// with the stencil function, marked with a stencil operation that the paper does not name.
 pub const fn by_stencil(counter: &'static [Line], masked: &'static [Line]) -> [Amendment<Line>; 2] {
     [
         Amendment {

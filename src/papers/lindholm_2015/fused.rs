@@ -1,5 +1,5 @@
-//! Section 6.1: the ray through a pixel, cast between the fragments of its list. The paper has it in prose, a sentence a
-//! line; what the prose leaves open stands beside it.
+//! Section 6.1: the ray through a pixel, cast between the fragments of its list. The paper describes it in prose. Here
+//! each sentence is a line, and amendments fill what the prose leaves open.
 
 use super::components::{PP_DP, SKIP_BY_ID, START, STOP, STORE_ID};
 use crate::lists;
@@ -27,10 +27,10 @@ pub const FUSED: Algorithm<Line> = Algorithm {
     },
 };
 
-/// What the prose leaves open.
+/// The amendments for what the prose leaves open.
 pub const FUSED_AMENDMENTS: [Amendment<Line>; 2] = [BEGIN_INSIDE, END_AT_OPAQUE];
 
-/// The eye inside of a volume.
+/// The eye may be inside of a volume.
 pub const BEGIN_INSIDE: Amendment<Line> = Amendment {
     key: "L16",
     place: "section 6.1, volume occupancy is tracked",
@@ -50,9 +50,9 @@ pub const END_AT_OPAQUE: Amendment<Line> = Amendment {
     test: "l16_without_the_opaque_surface_a_ray_goes_on_behind_it",
 };
 
-/// To [`PP_DP`], all that makes it right where the scene has volumes: "to ensure consistency between the individual resolve
-/// passes, we temporarily store the current state of the rendering, including volume occupancy and ray position" (section
-/// 5.2). The state is the ray's, and outlives the subpass.
+/// The amendments to [`PP_DP`] for a scene with volumes: "to ensure consistency between the individual resolve passes,
+/// we temporarily store the current state of the rendering, including volume occupancy and ray position" (section 5.2).
+/// The state is the ray's, and is kept between subpasses.
 pub const FUSED_PP_DP: [Amendment<Line>; 6] = [
     START,
     SKIP_BY_ID,
@@ -88,7 +88,7 @@ pub const EVALUATE_BUFFER: Amendment<Line> = Amendment {
     test: "l17_a_state_that_is_not_kept_loses_what_subpasses_share",
 };
 
-/// ppDP on lists with proxies, for the index: [`PP_DP`], under the name of what [`FUSED_PP_DP`] makes of it.
+/// ppDP on lists with proxies, for the index: [`PP_DP`] with the title of its amended form, [`FUSED_PP_DP`].
 pub const PP_DP_ON_RAYS: Algorithm<Line> = Algorithm {
     title: "per-pixel Depth Peeling with volumes",
     source: "Lindholm et al. 2015, sections 5.2 and 6.1",

@@ -1,4 +1,4 @@
-//! What the page asks of OpenGL: "Required OpenGL extensions" and "OpenGL context requirement".
+//! The page's requirements of OpenGL: "Required OpenGL extensions" and "OpenGL context requirement".
 
 /// "At least 8 alpha bits": a layer is its colour and its opacity.
 pub const ALPHA_BITS: u32 = 8;
@@ -21,7 +21,8 @@ pub const REQUIRED_EXTENSIONS: [(&[&str], (u32, u32)); 10] = [
     ),
 ];
 
-/// The required extensions that a driver of `version` lacks, by name; of several names for one, all.
+/// The names of the required extensions that a driver of `version` lacks. An extension with several names is listed
+/// with all of them.
 pub fn missing_extensions(version: (u32, u32), has: impl Fn(&str) -> bool) -> Vec<String> {
     let lacking = REQUIRED_EXTENSIONS
         .iter()

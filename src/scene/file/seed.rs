@@ -1,4 +1,4 @@
-//! The seed of what is scattered at random.
+//! The seed of generators that scatter things at random.
 
 use super::keys::Keys;
 use crate::error::Result;

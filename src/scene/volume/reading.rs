@@ -1,4 +1,4 @@
-//! What every reader of volumes is asked, and what it answers.
+//! The options and the results of every reader of volumes.
 
 use std::path::{Path, PathBuf};
 

@@ -1,7 +1,7 @@
-//! Pseudocode on Fragment Lists: what Lindholm et al. print of ppAO and ppDP, line by line.
+//! Pseudocode on Fragment Lists: ppAO and ppDP as Lindholm et al. print them, line by line.
 //!
-//! Where a [`pseudo::Line`](super::Line) works on fragments as they are rasterised, a [`Line`] here works on lists that
-//! the Fill Step has left, one a pixel, and on a Local Array for a few of their fragments.
+//! A [`pseudo::Line`](super::Line) works on fragments as they are rasterised. A [`Line`] here works on lists that the
+//! Fill Step has left, one per pixel, and on a Local Array for a few of their fragments.
 
 use std::fmt;
 
@@ -13,13 +13,13 @@ use crate::steps::{Amendment, Met, Ran, Scope, Statement};
 pub enum Line {
     /// `input : list of fragment data per pixel`: the lines are for a single pixel.
     Input,
-    /// What the paper says in a comment.
+    /// A comment of the paper.
     Note(&'static str),
     /// `forall the pixels of the framebuffer do`
     Pixels(&'static [Line]),
     /// `forall the unresolved pixels of the framebuffer do`: those without [`Mark::Resolved`].
     UnresolvedPixels(&'static [Line]),
-    /// `foreach i ∈ {8,16, . . . ,max} do`: i doubles; max is the largest Local Array.
+    /// `foreach i ∈ {8,16, . . . ,max} do`: i doubles. max is the size of the largest Local Array.
     Segments(&'static [Line]),
     /// `foreach fragment f ∈ fragment list do`
     Fragments(&'static [Line]),
@@ -34,9 +34,9 @@ pub enum Line {
     Count(Counter),
     /// `activate shader program for complexity segment i;`
     ActivateProgram,
-    /// `resolve segment with Local Array of size i;`: the first i fragments of the list, sorted; the others are dropped.
+    /// `resolve segment with Local Array of size i;`: sorts the first i fragments of the list, and drops the others.
     ResolveSegment,
-    /// The pixel's resolve by another algorithm, with a Local Array of size i.
+    /// Resolves the pixel by another algorithm, with a Local Array of size i.
     Run(&'static Algorithm<Line>, &'static [Amendment<Line>]),
     /// `// mark pixel as resolved`
     Mark(Mark),
@@ -51,22 +51,23 @@ pub enum Line {
     InitializeState,
     /// `skip f in current pass;`
     Skip,
-    /// `insert f into buffer with insertion sort;`: behind what is equal; what is then the element n + 1 is dropped.
+    /// `insert f into buffer with insertion sort;`: f goes behind equal elements. If there is then an element n + 1, it
+    /// is dropped.
     Insert(Key),
     /// `resolve buffer considering current state;`
     ResolveBuffer(Taken),
-    /// `store min depth and state of last buffer element;`: of none if the buffer is empty.
+    /// `store min depth and state of last buffer element;`: nothing is stored if the buffer is empty.
     Store(Key, Element),
     /// `clear buffer;`
     ClearBuffer,
 
     /// `foreach fragment f ∈ sorted fragment list do`: by depth, then id.
     Sorted(&'static [Line]),
-    /// `foreach fragment f ∈ buffer do`: which resolves the buffer.
+    /// `foreach fragment f ∈ buffer do`: resolves the buffer.
     Elements(&'static [Line]),
     /// `ray position, occupancy ← near plane, ...;`
     BeginRay(Beginning),
-    /// `cast ray through the occupied volumes up to ...;`, and the ray's position is there.
+    /// `cast ray through the occupied volumes up to ...;`, after which the ray's position is there.
     Cast(SegmentEnd),
     /// `toggle the volume of f in occupancy;`
     Toggle,
@@ -97,14 +98,14 @@ impl Statement for Line {
     }
 }
 
-/// What an `if` asks.
+/// The condition of an `if`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Test {
     /// `depth complexity(p)<= i`
     FitsSegment,
-    /// The same by the stencil buffer, whose reference is 255 at most.
+    /// The same by the stencil buffer, whose reference is at most 255.
     StencilFitsSegment,
-    /// Larger than the segment before, and no larger than this one unless it is the last.
+    /// The count is larger than the segment before, and not larger than this segment unless it is the last.
     InSegment,
     /// `depth complexity(p) > i`
     Overflows,
@@ -114,25 +115,25 @@ pub enum Test {
     IsProxy,
 }
 
-/// In which volumes a ray begins.
+/// The volumes in which a ray begins.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Beginning {
-    /// In none.
+    /// None.
     Outside,
-    /// In those that the list leaves and does not enter.
+    /// The volumes that the list leaves without entering them.
     WhatIsOnlyLeft,
 }
 
-/// Where a segment of a ray ends.
+/// The end of a segment of a ray.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SegmentEnd {
     /// At a fragment.
     Fragment,
-    /// There, or at the opaque surface if that is nearer.
+    /// At a fragment, or at the opaque surface if that is nearer.
     FragmentOrOpaque,
 }
 
-/// What decides between two fragments.
+/// The order of two fragments.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Key {
     /// Depth alone.
@@ -141,57 +142,57 @@ pub enum Key {
     DepthAndId,
 }
 
-/// Where peeling starts.
+/// The start of peeling.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Start {
     /// Depth 0, with every id.
     Zero,
-    /// Before whatever there can be.
+    /// Before every possible fragment.
     BeforeAll,
 }
 
-/// Which elements of the buffer are resolved.
+/// The elements of the buffer that are resolved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Taken {
-    /// All that there are.
+    /// All elements.
     All,
-    /// The first n - 1 if an element was dropped, otherwise all.
+    /// The first n - 1 elements if an element was dropped, otherwise all.
     AllButLastOnOverflow,
 }
 
-/// Of which element min depth is stored.
+/// The element whose depth becomes min depth.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Element {
-    /// The last in the buffer.
+    /// The last element in the buffer.
     Last,
-    /// The last that was resolved.
+    /// The last element that was resolved.
     LastResolved,
 }
 
-/// When a repeat ends.
+/// The end of a repeat.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum End {
-    /// As many fragments have been resolved as the list has.
+    /// It ends when as many fragments have been resolved as the list has.
     AllResolved,
-    /// The subpass has dropped no element.
+    /// It ends when the subpass has dropped no element.
     NothingDropped,
 }
 
-/// What counts a pixel's fragments.
+/// The counter of a pixel's fragments.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Counter {
-    /// An integer with room for them.
+    /// An integer that is large enough.
     Integer,
     /// Eight bits of stencil by `INCR`, which stays at 255.
     Stencil,
-    /// Eight bits of stencil by `INCR_WRAP`, which goes on from 0.
+    /// Eight bits of stencil by `INCR_WRAP`, which continues at 0.
     StencilWrapping,
 }
 
-/// What marks a pixel as resolved.
+/// The mark of a resolved pixel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mark {
-    /// A flag, as one reads the paper.
+    /// A flag, as the paper suggests.
     Resolved,
     /// The stencil operation `KEEP`.
     Keep,
@@ -201,7 +202,7 @@ pub enum Mark {
     Invert,
 }
 
-/// The algorithm as its paper prints it, with `amendments` in place; without any, as printed.
+/// The algorithm as its paper prints it, with `amendments` applied. Without any amendment, it is as printed.
 pub fn print(algorithm: &Algorithm<Line>, amendments: &[Amendment<Line>]) -> String {
     let mut text = String::new();
     print_lines(&mut text, algorithm.lines, Scope::of(amendments), 0);
@@ -258,7 +259,7 @@ fn print_line(text: &mut String, indent: usize, line: impl fmt::Display) {
     *text += &format!("{:width$}{line}\n", "", width = indent * 2);
 }
 
-/// A statement's own line, without what is inside of it.
+/// A statement's own line, without the statements inside of it.
 impl fmt::Display for Line {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {

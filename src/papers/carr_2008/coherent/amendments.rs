@@ -1,5 +1,5 @@
-//! What stands beside sections 5 and 6: corrections, then improvements. Keys X1 to X28 number what was found when the
-//! text was executed.
+//! The amendments to sections 5 and 6: corrections, then improvements. Keys X1 to X28 number the errors that were found
+//! when the text was executed.
 
 use super::loops::*;
 use crate::papers::carr_2008::passes::{PASS_1, SECTION_6};
@@ -8,7 +8,7 @@ use crate::papers::stage::{OPAQUE_DEPTH, PEEL};
 use crate::steps;
 use crate::steps::{Amendment, gl::*};
 
-/// Everything that makes the text right, in the paper's order.
+/// All corrections, in the paper's order.
 pub const AMENDMENTS: [Amendment; 10] = [
     CLEAN_STATE,
     CLEAN_STATE_B,
@@ -22,7 +22,7 @@ pub const AMENDMENTS: [Amendment; 10] = [
     BEFORE_OPAQUE,
 ];
 
-/// One framebuffer holds the passes' depths and the image, and the passes clear the color.
+/// One framebuffer holds the passes' depths and the image, and the passes clear its color.
 pub const CLEAN_STATE: Amendment = Amendment {
     key: "X13",
     place: "section 5.1, before pass 1; section 6, before pass 3",
@@ -50,7 +50,7 @@ pub const CLEAN_STATE_B: Amendment = Amendment {
     test: "x12_state_left_behind_loses_surfaces",
 };
 
-/// "(D(sc), ..." leaves out what lies on the near plane.
+/// "(D(sc), ..." leaves out surfaces on the near plane.
 pub const FIRST_CLOSED: Amendment = Amendment {
     key: "X9",
     place: "section 5.1, initial D(sc), pass 1",
@@ -103,7 +103,7 @@ pub const MOVE_DEPTH: Amendment = Amendment {
     test: "x16_the_printed_blend_factors_multiply_all_earlier_depths",
 };
 
-/// Closed above, passes 3 and 4 meet the surface at `z_min_prev` again, which always breaks the run.
+/// If the range is closed above, passes 3 and 4 meet the surface at `z_min_prev` again, which always breaks the run.
 pub const RUN_HALF_OPEN: Amendment = Amendment {
     key: "X4",
     place: "section 5.1, the range of passes 3 and 4",
@@ -113,7 +113,7 @@ pub const RUN_HALF_OPEN: Amendment = Amendment {
     test: "x4_a_closed_range_in_passes_3_and_4_costs_iterations",
 };
 
-/// Closed above, pass 5 composites what pass 6 composites.
+/// If the range is closed above, pass 5 composites the surface that pass 6 composites.
 pub const COMPOSITE_HALF_OPEN: Amendment = Amendment {
     key: "X5",
     place: "section 5.2, pass 5, the range",
@@ -123,7 +123,7 @@ pub const COMPOSITE_HALF_OPEN: Amendment = Amendment {
     test: "x5_a_closed_range_in_pass_5_composites_the_bound_twice",
 };
 
-/// The text does not say that the tests of pass 4 end before pass 5.
+/// The text does not say that pass 4's tests are disabled before pass 5.
 pub const NO_TESTS: Amendment = Amendment {
     key: "X12",
     place: "section 5.2, before pass 5",
@@ -148,7 +148,7 @@ pub const HALF_OPEN: Amendment = Amendment {
     test: "x4_a_closed_range_in_passes_3_and_4_costs_iterations",
 };
 
-/// Where the bound is the opaque depth, pass 6 would composite what lies exactly on the opaque surface, every time.
+/// If the bound is the opaque depth, pass 6 would composite surfaces exactly on the opaque surface, in every iteration.
 pub const BEFORE_OPAQUE: Amendment = Amendment {
     key: "X8",
     place: "section 5.2, pass 6",
@@ -168,7 +168,7 @@ pub const TIE_FRIENDLY: Amendment = Amendment {
     test: "tie_friendly_pass_3_peels_sorted_pairs_at_once",
 };
 
-/// An improvement: pass 1 finds nothing where nothing is left, five passes before the compositing phase says so.
+/// An improvement: if nothing is left, pass 1 finds nothing, five passes before the compositing phase notices it.
 pub const STOP_ON_PASS_1: Amendment = Amendment {
     key: "early stop",
     place: "section 5.2, the end of the loop",
@@ -200,7 +200,7 @@ pub const STOP_ON_SECTION_6: Amendment = Amendment {
     test: "a_query_on_pass_1_ends_a_sorted_scene_after_seven_passes",
 };
 
-/// An improvement (section 9): the range ends at a batch's end, where that lies before the opaque depth.
+/// An improvement (section 9): the range ends at a batch's end if that lies before the opaque depth.
 pub const UP_TO_THE_BATCH_END: Amendment = Amendment {
     key: "batches",
     place: "section 9; section 5.1, the ranges",

@@ -10,7 +10,7 @@ use crate::steps::{
     Dialect, Framebuffer, Holds, Listing, Map, Query, Resources, Shader, Target, gl::*,
 };
 
-/// Section 5: six geometry passes an iteration.
+/// Section 5, with six geometry passes per iteration.
 pub const VARIANT_A: Listing = Listing {
     title: "Coherent layer peeling with stencil counting (A)",
     source: "Carr et al. 2008, section 5",
@@ -24,7 +24,7 @@ pub const VARIANT_A: Listing = Listing {
     },
 };
 
-/// Its loop, from `D(sc)` on.
+/// The loop, from `D(sc)` on.
 pub const LOOP_A: Listing = Listing {
     title: "The loop of coherent layer peeling (A)",
     source: "Carr et al. 2008, section 5",
@@ -50,7 +50,7 @@ pub const LOOP_A: Listing = Listing {
     },
 };
 
-/// Section 6: one pass instead of passes 1 and 2, five an iteration.
+/// Section 6, with one pass instead of passes 1 and 2, so five per iteration.
 pub const VARIANT_B: Listing = Listing {
     title: "Coherent layer peeling with float blending (B)",
     source: "Carr et al. 2008, section 6",
@@ -64,7 +64,7 @@ pub const VARIANT_B: Listing = Listing {
     },
 };
 
-/// Its loop, from `D(sc)` on.
+/// The loop, from `D(sc)` on.
 pub const LOOP_B: Listing = Listing {
     title: "The loop of coherent layer peeling (B)",
     source: "Carr et al. 2008, section 6",
@@ -134,7 +134,7 @@ pub const RANGE_6: Listing = Listing {
     },
 };
 
-/// The range of passes 3 and 4. One scan of the paper closes its upper end, the other has no closing bracket at all.
+/// The range of passes 3 and 4. One scan of the paper closes its upper end; the other has no closing bracket.
 pub const RANGE_3: Listing = Listing {
     title: "Clip to [D(sn), min(z_min_prev, opaque_depth)]",
     source: "Carr et al. 2008, section 5.1, before pass 3",
@@ -197,7 +197,7 @@ pub const COMPOSITE_AND_GO_ON: Listing = Listing {
     },
 };
 
-/// The run. The paper has no listing.
+/// Pass 5 composites the run. The paper has no listing of it.
 pub const PASS_5: Listing = Listing {
     title: "Pass 5: composite the run",
     source: "Carr et al. 2008, section 5.2, pass 5",
@@ -208,7 +208,8 @@ pub const PASS_5: Listing = Listing {
     },
 };
 
-/// The surface at its upper bound: "a z equals test in an additional compositing pass". The paper has no listing.
+/// Pass 6 composites the surface at the upper bound: "a z equals test in an additional compositing pass". The paper has
+/// no listing of it.
 pub const PASS_6: Listing = Listing {
     title: "Pass 6: composite the surface at the upper bound",
     source: "Carr et al. 2008, section 5.2, pass 6",
@@ -234,7 +235,7 @@ pub const UPDATE_D_SC: Listing = Listing {
     },
 };
 
-/// What variant A takes for granted.
+/// The resources that variant A takes for granted.
 pub const RESOURCES_A: [&Resources; 2] = [
     &COMMON,
     &Resources {
@@ -243,7 +244,7 @@ pub const RESOURCES_A: [&Resources; 2] = [
     },
 ];
 
-/// What variant B takes for granted: its `z_min_prev` is a color.
+/// The resources that variant B takes for granted. Its `z_min_prev` is a color.
 pub const RESOURCES_B: [&Resources; 2] = [
     &COMMON,
     &Resources {
@@ -276,7 +277,7 @@ const COMMON: Resources = Resources {
     ..Resources::NONE
 };
 
-/// The opaque depth, or a batch's end where that is nearer.
+/// The opaque depth, or a batch's end if that is nearer.
 pub const BATCH_END: Map = Map::named("batch end");
 
 /// Section 6's pass: `z_min_prev` as a color, with the depth buffer.
