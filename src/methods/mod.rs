@@ -16,9 +16,8 @@
 //! | `ffb`, `ffb+ppao` | Lindholm et al. 2015 | yes, volumes by rays, too, up to 64 fragments a pixel (--array) | order of submission | the first submitted | pixels x layers, in bands |
 //! | `ffb+ppdp`, `ffb+ppao+ppdp` | Lindholm et al. 2015 | yes, volumes by rays, too | order of submission |  | pixels x layers, in bands |
 //! | `dfb`, `dfb+ppao` | Lindholm et al. 2015 | yes, volumes by rays, too, up to 64 fragments a pixel (--array) | order of submission | the first submitted | pixels + fragments, in bands |
-//! | `dfb+ppdp`, `dfb+ppao+ppdp` | Lindholm et al. 2015 | yes, volumes by rays, too | order of submission |  | pixels + fragments, in bands |
+//! | `dfb+ppdp`, `dfb+ppao+ppdp`, `ppll+ppdp`, `ppll+ppao+ppdp` | Lindholm et al. 2015 | yes, volumes by rays, too | order of submission |  | pixels + fragments, in bands |
 //! | `ppll`, `ppll+ppao` | Lindholm et al. 2015 | yes, volumes by rays, too, up to 64 fragments a pixel (--array) | order of submission | the last submitted | pixels + fragments, in bands |
-//! | `ppll+ppdp`, `ppll+ppao+ppdp` | Lindholm et al. 2015 | yes, volumes by rays, too | order of submission |  | pixels + fragments, in bands |
 //! | `exact` | the oracle | yes, volumes by rays, too | order of submission |  | fragments, in pieces |
 //! <!-- /methods -->
 //!
