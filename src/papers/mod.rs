@@ -1,4 +1,6 @@
-//! The papers: their listings and the amendments to them, as data. Nothing here runs by itself.
+//! The papers: their texts as data, with the amendments to them. Nothing here runs by itself.
+//!
+//! Each paper's file has its [`Paper`]; [`stage`] has what their methods share.
 
 pub mod bavoil_2008;
 pub mod carr_2008;

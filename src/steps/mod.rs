@@ -17,8 +17,14 @@
 //!
 //! State persists from listing to listing, as in GL. Nothing here resets state that the listing does not reset.
 //!
-//! If a printed listing is wrong, or another text extends it, an [`Amendment`] says which steps replace which. Listings
-//! themselves are never edited: [`run`] applies amendments as it walks.
+//! Where a printed listing is wrong, or where another text extends it, an [`Amendment`] says which steps are replaced
+//! by which. Listings themselves are never edited: everybody who reads one walks it with amendments in place
+//! ([`Scope::walk`]).
+//!
+//! What a listing takes for granted - maps, framebuffers, buffers, variables - stands beside it as [`Resources`].
+//! [`check`] holds every name in a listing against them before anything runs.
+//!
+//! Some papers print pseudocode instead ([`pseudo`]). A [`Text`] is a listing or pseudocode, with its amendments.
 
 mod amend;
 mod argument;

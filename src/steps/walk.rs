@@ -23,7 +23,7 @@ pub trait Machine {
     fn samples(&mut self, query: Query) -> Result<u64>;
 }
 
-/// A machine in which a method can make maps, and framebuffers that draw into them.
+/// A machine that can be given maps, and framebuffers that draw into them.
 pub trait Workspace: Machine {
     /// Makes a map of the image's size, unless it exists in this format.
     ///

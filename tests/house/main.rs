@@ -3,4 +3,5 @@
 mod circles;
 mod floors;
 mod imports;
+mod papers;
 mod readme;
