@@ -9,7 +9,7 @@
 //!
 //! `cargo run --example 05_figure_2_pass_by_pass [FOLDER]`
 
-use onionskin::emulator::{Emulator, Kind, Outcome, Record, Surface};
+use onionskin::emulator::{Emulator, Group, Outcome, Record, Surface};
 use onionskin::fragment::{Fragment, Rgba};
 use onionskin::gl::{Geometry, GlMachine, capture};
 use onionskin::methods::{allocate_maps, begin_batch};
@@ -166,7 +166,7 @@ fn surfaces(gl: &mut GlMachine<'_>) -> Result<Vec<Surface>> {
             // A quad is two triangles. One of them covers the pixel's centre.
             order: fragment.order / 2,
         },
-        kind: Kind::Unsorted,
+        group: Group::Unsorted,
     };
     Ok(captured.iter().map(surface).collect())
 }

@@ -13,7 +13,7 @@ use crate::steps::{Call, Format, Machine, Map, Objects, Query, Shader, Target, W
 
 /// The group of objects to which a surface belongs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub enum Group {
     /// Opaque geometry.
     Opaque,
     /// Transparent geometry whose triangles are exactly sorted.
@@ -22,7 +22,7 @@ pub enum Kind {
     Unsorted,
 }
 
-impl Kind {
+impl Group {
     /// Whether a draw of these objects draws this group. The quad that covers the screen belongs to no group.
     pub(super) fn is_among(self, objects: Objects) -> bool {
         match objects {
@@ -42,7 +42,7 @@ pub struct Surface {
     /// Colour (straight alpha), depth, and place in the order of submission.
     pub fragment: Fragment,
     /// The group of objects to which it belongs.
-    pub kind: Kind,
+    pub group: Group,
 }
 
 /// Runs listings on pixels whose surfaces are given. Maps and framebuffers are made as on the GL machine.
@@ -202,7 +202,7 @@ impl Emulator {
                 _ => &self.pixels[pixel][..],
             };
             for surface in surfaces {
-                if objects != Objects::Screen && !surface.kind.is_among(objects) {
+                if objects != Objects::Screen && !surface.group.is_among(objects) {
                     continue;
                 }
                 let texel = |unit: u32| texel(&self.planes, self.bound[unit as usize], pixel);
@@ -292,7 +292,7 @@ const SCREEN: Surface = Surface {
         color: Rgba::new(0.0, 0.0, 0.0, 0.0),
         order: 0,
     },
-    kind: Kind::Unsorted,
+    group: Group::Unsorted,
 };
 
 impl Machine for Emulator {

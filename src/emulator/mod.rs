@@ -30,6 +30,6 @@ pub use lists::{
     ListRun, RayEvent, RayHappening, RayRun, RayScene, RayVolume, Resolved, run_on_lists,
     run_on_rays,
 };
-pub use machine::{Emulator, Kind, Surface};
+pub use machine::{Emulator, Group, Surface};
 pub use pseudo::{AlgorithmRun, run_algorithm};
 pub use record::{Draw, Fate, Outcome, Record};

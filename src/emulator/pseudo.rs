@@ -1,6 +1,6 @@
 //! Running pseudocode on the emulated pixels.
 
-use super::machine::{Kind, Surface};
+use super::machine::{Group, Surface};
 use crate::error::{Error, Result};
 use crate::fragment::Fragment;
 use crate::steps::pseudo::{Algorithm, Line, Test, Value};
@@ -59,7 +59,7 @@ const CHANGED: &str = "gChanged";
 fn opaque_depth(surfaces: &[Surface]) -> f32 {
     surfaces
         .iter()
-        .filter(|surface| surface.kind == Kind::Opaque)
+        .filter(|surface| surface.group == Group::Opaque)
         .map(|surface| surface.fragment.depth)
         .fold(1.0, f32::min)
 }
@@ -108,7 +108,7 @@ impl<'a> Run<'a> {
                 let mut any = false;
                 for pixel in 0..self.pixels.len() {
                     for surface in &self.pixels[pixel] {
-                        if surface.kind.is_among(of) {
+                        if surface.group.is_among(of) {
                             any = true;
                             self.set_of(pixel, FRAGMENT, surface.fragment.depth);
                             self.lines(body, scope, Here::Fragment(pixel, &surface.fragment))?;

@@ -5,7 +5,7 @@
 
 use crate::kit::peels;
 use crate::kit::stack;
-use onionskin::emulator::{Emulator, Kind, Surface};
+use onionskin::emulator::{Emulator, Group, Surface};
 use onionskin::gl::{Geometry, GlMachine};
 use onionskin::papers::carr_2008::hybrid::{Z_PEEL, Z_PEEL_NEXT};
 use onionskin::papers::carr_2008::{D_SC, D_SN, DEPTH_BUFFER, Z_MIN_POST, Z_MIN_PREV};
@@ -107,7 +107,7 @@ fn in_lock_step(
         map: ACCUMULATED,
         format: color,
     });
-    let transparent = |surfaces: &Vec<Surface>| surfaces.iter().any(|s| s.kind != Kind::Opaque);
+    let transparent = |surfaces: &Vec<Surface>| surfaces.iter().any(|s| s.group != Group::Opaque);
     let mut both = LockStep {
         gl: &mut gl,
         emulator: &mut emulator,

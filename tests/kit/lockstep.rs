@@ -1,7 +1,7 @@
 //! Two machines that perform every call at the same time: OpenGL and the emulated pixels, held against each other after
 //! each draw and each copy.
 
-use onionskin::emulator::{Emulator, Kind, Surface};
+use onionskin::emulator::{Emulator, Group, Surface};
 use onionskin::fragment::Fragment;
 use onionskin::gl::{GlMachine, capture};
 use onionskin::papers::stage;
@@ -159,7 +159,7 @@ pub fn surfaces(gl: &mut GlMachine<'_>, scene: &Scene, image: Map) -> Vec<Vec<Su
                 color: fragment.color,
                 order: fragment.order,
             },
-            kind: kind_of(scene, fragment.order),
+            group: group_of(scene, fragment.order),
         });
     }
     if scene.meshes.iter().any(|mesh| mesh.opaque) {
@@ -174,7 +174,7 @@ pub fn surfaces(gl: &mut GlMachine<'_>, scene: &Scene, image: Map) -> Vec<Vec<Su
                         color: color.into(),
                         order: u32::MAX,
                     },
-                    kind: Kind::Opaque,
+                    group: Group::Opaque,
                 });
             }
         }
@@ -183,15 +183,15 @@ pub fn surfaces(gl: &mut GlMachine<'_>, scene: &Scene, image: Map) -> Vec<Vec<Su
 }
 
 /// Among what the triangle with this place in the order of submission is drawn.
-fn kind_of(scene: &Scene, order: u32) -> Kind {
+fn group_of(scene: &Scene, order: u32) -> Group {
     let mut end = 0;
     for mesh in &scene.meshes {
         end += mesh.triangles.len() as u32;
         if order < end {
             return match (mesh.opaque, mesh.sorted) {
-                (true, _) => Kind::Opaque,
-                (false, true) => Kind::Sorted,
-                (false, false) => Kind::Unsorted,
+                (true, _) => Group::Opaque,
+                (false, true) => Group::Sorted,
+                (false, false) => Group::Unsorted,
             };
         }
     }

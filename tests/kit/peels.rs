@@ -1,6 +1,6 @@
 //! Fragment lists for the emulated pixel, what should become of them, and the peeling loops that run on them.
 
-use onionskin::emulator::{AlgorithmRun, Emulator, Kind, Surface, run_algorithm};
+use onionskin::emulator::{AlgorithmRun, Emulator, Group, Surface, run_algorithm};
 use onionskin::fragment::{Fragment, Rgba};
 use onionskin::methods::allocate_maps;
 use onionskin::oracle;
@@ -145,22 +145,22 @@ pub fn expected(pixel: &Pixel) -> Vec<u32> {
     let opaque = opaque_depth(pixel);
     let mut list: Vec<&Surface> = pixel
         .iter()
-        .filter(|surface| surface.kind != Kind::Opaque && surface.fragment.depth < opaque)
+        .filter(|surface| surface.group != Group::Opaque && surface.fragment.depth < opaque)
         .collect();
     list.sort_by(|a, b| {
         let depths = a.fragment.depth.total_cmp(&b.fragment.depth);
-        depths.then((a.kind == Kind::Sorted).cmp(&(b.kind == Kind::Sorted)))
+        depths.then((a.group == Group::Sorted).cmp(&(b.group == Group::Sorted)))
     });
     list.iter().map(|surface| surface.fragment.order).collect()
 }
 
 /// The image's colour at a pixel, by the oracle, over a background of nothing.
 pub fn expected_color(pixel: &Pixel) -> [f64; 4] {
-    let opaque = pixel.iter().find(|surface| surface.kind == Kind::Opaque);
+    let opaque = pixel.iter().find(|surface| surface.group == Group::Opaque);
     let background = opaque.map_or(Rgba::default(), |surface| surface.fragment.color);
     let mut list: Vec<Fragment> = pixel
         .iter()
-        .filter(|surface| surface.kind != Kind::Opaque)
+        .filter(|surface| surface.group != Group::Opaque)
         .map(|surface| surface.fragment)
         .collect();
     oracle::composite(&mut list, opaque_depth(pixel), background)
@@ -169,7 +169,7 @@ pub fn expected_color(pixel: &Pixel) -> [f64; 4] {
 pub fn opaque_depth(pixel: &Pixel) -> f32 {
     pixel
         .iter()
-        .filter(|surface| surface.kind == Kind::Opaque)
+        .filter(|surface| surface.group == Group::Opaque)
         .map(|surface| surface.fragment.depth)
         .fold(1.0, f32::min)
 }
@@ -185,7 +185,7 @@ pub fn pixel(depths: impl IntoIterator<Item = f32>) -> Pixel {
                 color: color(order),
                 order,
             },
-            kind: Kind::Unsorted,
+            group: Group::Unsorted,
         })
         .collect()
 }
@@ -198,7 +198,7 @@ pub fn before(mut pixel: Pixel, opaque: f32) -> Pixel {
             color: Rgba::opaque([0.2, 0.4, 0.6]),
             order: u32::MAX,
         },
-        kind: Kind::Opaque,
+        group: Group::Opaque,
     });
     pixel
 }

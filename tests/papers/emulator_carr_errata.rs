@@ -249,7 +249,7 @@ fn half_sorted(pixels: Vec<Pixel>) -> Vec<Pixel> {
             depths.sort_by(f32::total_cmp);
             for (surface, depth) in pixel[middle..].iter_mut().zip(depths) {
                 surface.fragment.depth = depth;
-                surface.kind = onionskin::emulator::Kind::Sorted;
+                surface.group = onionskin::emulator::Group::Sorted;
             }
             pixel
         })
@@ -326,7 +326,7 @@ fn c02_iterations_depend_on_the_unsorted_geometry_only() {
         let mut surfaces = pixel([0.8, 0.2, 0.5]);
         let sorted = pixel((0..slices).map(|k| depth_of(k, slices)));
         for mut surface in sorted {
-            surface.kind = onionskin::emulator::Kind::Sorted;
+            surface.group = onionskin::emulator::Group::Sorted;
             surface.fragment.order += 3;
             surfaces.push(surface);
         }

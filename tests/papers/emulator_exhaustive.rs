@@ -2,7 +2,7 @@
 //! them, on the emulated pixel: the amended algorithms composite exactly the oracle's list, each surface once, in order.
 
 use crate::kit::peels;
-use onionskin::emulator::{Kind, run_algorithm};
+use onionskin::emulator::{Group, run_algorithm};
 use onionskin::papers::carr_2008::{hybrid, ideal};
 
 use crate::kit::peels::{Loop, Pixel, bad, before, emulate, pixel};
@@ -108,7 +108,7 @@ fn report(which: impl std::fmt::Debug, pixels: &[Pixel], composited: &[Vec<u32>]
         .min_by_key(|(pixel, _)| pixel.len())
         .expect("there is one");
     let depths: Vec<f32> = pixel.iter().map(|surface| surface.fragment.depth).collect();
-    let kinds: Vec<Kind> = pixel.iter().map(|surface| surface.kind).collect();
+    let kinds: Vec<Group> = pixel.iter().map(|surface| surface.group).collect();
     panic!("{which:?}: depths {depths:?}, {kinds:?} became {composited:?}");
 }
 
@@ -143,7 +143,7 @@ fn layer_peeling_composites_every_sequence() {
 /// For hybrid layer peeling, the surfaces of `mask` are sorted geometry, submitted front to back.
 fn partly_sorted(mut pixel: Pixel, mask: usize) -> Pixel {
     let chosen: Vec<usize> = (0..pixel.len())
-        .filter(|&place| mask >> place & 1 == 1 && pixel[place].kind != Kind::Opaque)
+        .filter(|&place| mask >> place & 1 == 1 && pixel[place].group != Group::Opaque)
         .collect();
     let mut depths: Vec<f32> = chosen
         .iter()
@@ -152,7 +152,7 @@ fn partly_sorted(mut pixel: Pixel, mask: usize) -> Pixel {
     depths.sort_by(f32::total_cmp);
     for (place, depth) in chosen.into_iter().zip(depths) {
         pixel[place].fragment.depth = depth;
-        pixel[place].kind = Kind::Sorted;
+        pixel[place].group = Group::Sorted;
     }
     pixel
 }
