@@ -14,8 +14,8 @@
 use onionskin::fragment::Rgba;
 use onionskin::gl::Format;
 use onionskin::image::Comparison;
-use onionskin::methods::invariance::{Finding, Verdict, perspective_soup, try_out};
-use onionskin::methods::{DepthPeelingOptions, DepthSource, Place, Trial};
+use onionskin::methods::invariance::{Finding, Verdict, perspective_soup, run_experiment};
+use onionskin::methods::{DepthPeelingOptions, DepthSource, Experiment, Place};
 use onionskin::scene::generate::{Order, Quads, quads};
 use onionskin::{Context, Image, Method, Renderer, Result, Scene};
 
@@ -78,13 +78,13 @@ fn stored_and_compared(context: &Context) -> Result<()> {
                 }
                 let mut cells = String::new();
                 for (scene, exact) in &studies {
-                    let trial = Trial {
+                    let experiment = Experiment {
                         stored,
                         compared,
                         place,
                         bias: 0.0,
                     };
-                    let finding = try_out(context, scene, exact, trial, format)?;
+                    let finding = run_experiment(context, scene, exact, experiment, format)?;
                     let stuck = finding.count(Verdict::Stuck);
                     cells += &format!("{:>15}", format!("{} ({stuck})", finding.wrong()));
                 }
@@ -109,13 +109,13 @@ fn fudge_factors(context: &Context) -> Result<()> {
     let (scene, exact) = study(context, 1000.0)?;
     for (name, stored, compared) in SOURCES {
         for bias in [0.0, 1e-7, 1e-6, 2e-3] {
-            let trial = Trial {
+            let experiment = Experiment {
                 stored,
                 compared,
                 bias,
-                ..Trial::default()
+                ..Experiment::default()
             };
-            let finding = try_out(context, &scene, &exact, trial, D32F)?;
+            let finding = run_experiment(context, &scene, &exact, experiment, D32F)?;
             println!(
                 "{name:<20} {bias:<8e}{:17} {:9} {:14}   {}",
                 finding.missing,
@@ -159,22 +159,28 @@ fn accumulators(context: &Context) -> Result<()> {
 fn picture(context: &Context) -> Result<()> {
     let (scene, exact) = study(context, 1000.0)?;
     let (near, near_exact) = study(context, 10.0)?;
-    let [window_z, mixed, replaced] = SOURCES.map(|(_, stored, compared)| Trial {
+    let [window_z, mixed, replaced] = SOURCES.map(|(_, stored, compared)| Experiment {
         stored,
         compared,
-        ..Trial::default()
+        ..Experiment::default()
     });
-    let with_bias = |bias| Trial { bias, ..mixed };
+    let with_bias = |bias| Experiment { bias, ..mixed };
     let mut findings: Vec<Finding> = Vec::new();
-    for trial in [mixed, with_bias(1e-7), with_bias(2e-3)] {
-        findings.push(try_out(context, &scene, &exact, trial, D32F)?);
+    for experiment in [mixed, with_bias(1e-7), with_bias(2e-3)] {
+        findings.push(run_experiment(context, &scene, &exact, experiment, D32F)?);
     }
-    for (trial, format) in [
+    for (experiment, format) in [
         (window_z, Format::Depth24),
         (replaced, Format::Depth24),
         (replaced, D32F),
     ] {
-        findings.push(try_out(context, &near, &near_exact, trial, format)?);
+        findings.push(run_experiment(
+            context,
+            &near,
+            &near_exact,
+            experiment,
+            format,
+        )?);
     }
     let pictures: Vec<Image> = findings.iter().map(Finding::picture).collect();
     let path = example::output("14_the_invariance_experiment.png")?;

@@ -18,12 +18,12 @@ pub enum DepthUnit0 {
     /// The same with Listing 2, so that the stored depth is also r/q.
     ClassicDepthReplace,
     /// A form of the invariance experiment.
-    Trial(Trial),
+    Experiment(Experiment),
 }
 
 /// A way to compare depths.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Trial {
+pub struct Experiment {
     /// The depth that is stored.
     pub stored: DepthSource,
     /// The depth that is compared with it.
@@ -83,20 +83,20 @@ impl DepthUnit0 {
                 let mut units = ClassicDepthUnits::new(machine, Shader("classic/depth_replace"));
                 run(listing, amendments, variables, &mut units)
             }
-            Self::Trial(trial) => {
+            Self::Experiment(experiment) => {
                 let mut all = amendments.to_vec();
-                all.extend(match trial.stored {
+                all.extend(match experiment.stored {
                     DepthSource::WindowZ => WINDOW_Z,
                     DepthSource::Quotient => REPLACED,
                 });
-                let variables = trial.variables(variables);
+                let variables = experiment.variables(variables);
                 run(listing, &all, variables, &mut DepthUnits::new(machine))
             }
         }
     }
 }
 
-impl Trial {
+impl Experiment {
     fn variables(&self, variables: Variables) -> Variables {
         let steps = match self.place {
             Place::ShaderInBits(bits) => f64::from((1_u32 << bits.min(24)) - 1),

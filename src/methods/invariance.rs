@@ -1,15 +1,15 @@
 //! The invariance experiment: depth peeling in which the stored and the compared depths are computed in different ways
 //! (Everitt 2001, "An Invariance Issue").
 //!
-//! A [`Trial`] says which depth is stored, which is compared with it, where, and with which bias. A [`Finding`] has the
-//! errors, pixel by pixel, relative to the exact image. A pixel can go wrong in three ways. It *misses* fragments that
-//! the comparison skips. It *doubles* fragments that pass the comparison with themselves. It gets *stuck* if a fragment
-//! does so for ever; then no layer is ever empty, and the loop does not end.
+//! An [`Experiment`] says which depth is stored, which is compared with it, where, and with which bias. A [`Finding`]
+//! has the errors, pixel by pixel, relative to the exact image. A pixel can go wrong in three ways. It *misses*
+//! fragments that the comparison skips. It *doubles* fragments that pass the comparison with themselves. It gets
+//! *stuck* if a fragment does so for ever; then no layer is ever empty, and the loop does not end.
 
 use glam::DVec3;
 
 use super::coplanar::{Shown, shown};
-use super::depth_unit_0::{DepthUnit0, Trial};
+use super::depth_unit_0::{DepthUnit0, Experiment};
 use super::{DepthPeelingOptions, Method, Renderer};
 use crate::error::Result;
 use crate::fragment::Rgba;
@@ -26,7 +26,7 @@ const EXACT: f64 = 1e-5;
 /// A loop is stuck if it goes on for so many more peels than the deepest pixel has fragments.
 const SPARE_PEELS: u32 = 8;
 
-/// What a trial cost.
+/// The errors of an experiment.
 #[derive(Clone, Debug)]
 pub struct Finding {
     /// The image, in the scene's own colours.
@@ -97,18 +97,18 @@ impl Finding {
 ///
 /// # Errors
 /// If the driver fails.
-pub fn try_out(
+pub fn run_experiment(
     context: &Context,
     scene: &Scene,
     exact: &Image,
-    trial: Trial,
+    experiment: Experiment,
     depth: Format,
 ) -> Result<Finding> {
     let most = deepest(context, scene)?;
     let limit = most + SPARE_PEELS;
     let method = Method::DepthPeeling(DepthPeelingOptions {
         maximum_number_of_peels: limit,
-        depth_unit_0: DepthUnit0::Trial(trial),
+        depth_unit_0: DepthUnit0::Experiment(experiment),
         ..Default::default()
     });
     let [width, height] = scene.size;

@@ -68,7 +68,7 @@ pub use allocate_maps::allocate_maps;
 pub use batches::begin_batch;
 pub use choice::{Choice, Takes};
 pub use complexity::{Bin, Complexity, CountBy};
-pub use depth_unit_0::{DepthSource, DepthUnit0, Place, Trial};
+pub use depth_unit_0::{DepthSource, DepthUnit0, Experiment, Place};
 pub use entry::{Entry, Memory, Ties, Volumes};
 pub use hanging::Hanging;
 pub use registry::{Listed, Method, registry};

@@ -5,9 +5,10 @@ use std::collections::HashSet;
 
 use onionskin::gl::Format;
 use onionskin::image::{Comparison, Image};
-use onionskin::methods::invariance::{Finding, Verdict, perspective_soup, try_out};
+use onionskin::methods::invariance::{Finding, Verdict, perspective_soup, run_experiment};
 use onionskin::methods::{
-    CoplanarDepthPeelingOptions, DepthPeelingOptions, DepthSource, DepthUnit0, Frame, Place, Trial,
+    CoplanarDepthPeelingOptions, DepthPeelingOptions, DepthSource, DepthUnit0, Experiment, Frame,
+    Place,
 };
 use onionskin::steps::Reason;
 use onionskin::{Context, Method, Renderer, Scene};
@@ -20,17 +21,17 @@ const D16: Format = Format::Depth16;
 const SIZE: [u32; 2] = [128, 128];
 
 /// The rasteriser's depth with itself; r/q with the rasteriser's; r/q with itself.
-const WINDOW_Z: Trial = Trial {
+const WINDOW_Z: Experiment = Experiment {
     stored: DepthSource::WindowZ,
     compared: DepthSource::WindowZ,
     place: Place::Sampler,
     bias: 0.0,
 };
-const MIXED: Trial = Trial {
+const MIXED: Experiment = Experiment {
     compared: DepthSource::Quotient,
     ..WINDOW_Z
 };
-const REPLACED: Trial = Trial {
+const REPLACED: Experiment = Experiment {
     stored: DepthSource::Quotient,
     compared: DepthSource::Quotient,
     ..WINDOW_Z
@@ -41,7 +42,7 @@ fn e06_comparing_r_over_q_with_the_rasterisers_depth_mis_peels() {
     let study = Study::new(100.0);
     let covered = study.covered();
     for place in [Place::Sampler, Place::Shader] {
-        let finding = study.try_out(Trial { place, ..MIXED }, D32F);
+        let finding = study.run_experiment(Experiment { place, ..MIXED }, D32F);
         report("r/q against window z", &finding);
         // Not a pixel here and there.
         assert!(finding.wrong() > covered / 2);
@@ -53,7 +54,7 @@ fn e06_comparing_r_over_q_with_the_rasterisers_depth_mis_peels() {
 fn e06_window_z_compared_in_the_shader_and_in_the_sampler_give_the_same_image() {
     let study = Study::new(100.0);
     let [sampler, shader] = [Place::Sampler, Place::Shader]
-        .map(|place| study.try_out(Trial { place, ..WINDOW_Z }, D32F));
+        .map(|place| study.run_experiment(Experiment { place, ..WINDOW_Z }, D32F));
     assert!(sampler.image == shader.image);
     assert_eq!(sampler.pixels, shader.pixels);
     // And it is the image of the method without any experiment.
@@ -83,9 +84,9 @@ fn e07_with_depth_replace_every_pixel_left_over_is_a_tie_or_beyond_the_far_plane
         mesh.triangles.push([first, first + 1, first + 2]);
         let at_far_plane = last_triangle(&scene);
         let study = Study::of(scene);
-        for trial in [REPLACED, WINDOW_Z] {
-            let finding = study.try_out(trial, D32F);
-            report(&format!("ratio {ratio}, {:?}", trial.stored), &finding);
+        for experiment in [REPLACED, WINDOW_Z] {
+            let finding = study.run_experiment(experiment, D32F);
+            report(&format!("ratio {ratio}, {:?}", experiment.stored), &finding);
             assert!(finding.ended);
             assert_eq!(finding.count(Verdict::Stuck), 0);
             for (pixel, verdict) in finding.pixels.iter().enumerate() {
@@ -95,7 +96,7 @@ fn e07_with_depth_replace_every_pixel_left_over_is_a_tie_or_beyond_the_far_plane
                 let depths = &study.lists.pixels[pixel];
                 let depths: Vec<_> = depths.iter().map(|fragment| fragment.depth).collect();
                 // What r/q may be off from window z: its own roundings, of numbers up to 1.
-                let off = match trial.stored {
+                let off = match experiment.stored {
                     DepthSource::WindowZ => 0.0,
                     DepthSource::Quotient => 12.0 * 2.0_f32.powi(-24),
                 };
@@ -119,10 +120,10 @@ fn e07_with_depth_replace_every_pixel_left_over_is_a_tie_or_beyond_the_far_plane
 #[test]
 fn e07_no_bias_is_needed_with_depth_replace_and_none_helps_without_harm() {
     let study = Study::new(1000.0);
-    let replaced = study.try_out(REPLACED, D32F);
+    let replaced = study.run_experiment(REPLACED, D32F);
     report("depth replace", &replaced);
     let biases = [0.0, 1e-7, 1e-6, 2e-3];
-    let findings = biases.map(|bias| study.try_out(Trial { bias, ..MIXED }, D32F));
+    let findings = biases.map(|bias| study.run_experiment(Experiment { bias, ..MIXED }, D32F));
     for (bias, finding) in biases.iter().zip(&findings) {
         report(&format!("r/q against window z, bias {bias:e}"), finding);
         assert!(finding.wrong() > replaced.wrong(), "bias {bias:e}");
@@ -142,15 +143,33 @@ fn e07_on_24_bits_the_sampler_compares_what_was_not_rounded_and_the_loop_gets_st
     // llvmpipe compares the fragment's depth as a float with what is stored in 24 bits: a fragment whose depth was
     // rounded down lies behind itself. Rounding both sides first is the cure.
     let study = Study::new(100.0);
-    for trial in [WINDOW_Z, REPLACED] {
+    for experiment in [WINDOW_Z, REPLACED] {
         for place in [Place::Sampler, Place::Shader] {
-            let finding = study.try_out(Trial { place, ..trial }, D24);
-            report(&format!("D24, {:?}, {place:?}", trial.stored), &finding);
+            let finding = study.run_experiment(
+                Experiment {
+                    place,
+                    ..experiment
+                },
+                D24,
+            );
+            report(
+                &format!("D24, {:?}, {place:?}", experiment.stored),
+                &finding,
+            );
             assert!(!finding.ended && finding.count(Verdict::Stuck) > 0);
         }
         let place = Place::ShaderInBits(24);
-        let finding = study.try_out(Trial { place, ..trial }, D24);
-        report(&format!("D24, {:?}, {place:?}", trial.stored), &finding);
+        let finding = study.run_experiment(
+            Experiment {
+                place,
+                ..experiment
+            },
+            D24,
+        );
+        report(
+            &format!("D24, {:?}, {place:?}", experiment.stored),
+            &finding,
+        );
         assert!(finding.ended);
         assert_eq!(finding.doubled, 0);
         // Neighbours within two steps of 24 bits may be one; the texel that is read back may be a step off.
@@ -175,7 +194,7 @@ fn e07_on_24_bits_the_sampler_compares_what_was_not_rounded_and_the_loop_gets_st
 fn e07_on_24_bits_a_pixel_is_stuck_just_where_a_stored_depth_was_rounded_down() {
     // Stored is rint(z (2^24 - 1)), and what a texel gives is that times the f32 nearest to 1 / (2^24 - 1).
     let study = Study::new(10.0);
-    let finding = study.try_out(WINDOW_Z, D24);
+    let finding = study.run_experiment(WINDOW_Z, D24);
     const STEPS: f32 = ((1 << 24) - 1) as f32;
     let rounded_down = |fragment: &onionskin::gl::CapturedFragment| {
         let texel = (fragment.depth * STEPS).round_ties_even() * (1.0 / STEPS);
@@ -203,7 +222,7 @@ fn e07_a_loop_that_would_never_end_is_given_up_and_says_so() {
     let most = study.lists.complexity() as u32 + 1;
     for (method, depth) in [
         (single(DepthUnit0::Classic), D32F),
-        (single(DepthUnit0::Trial(MIXED)), D32F),
+        (single(DepthUnit0::Experiment(MIXED)), D32F),
         (single(DepthUnit0::Sampler), D24),
         (Method::CoplanarDepthPeeling(coplanar), D24),
     ] {
@@ -231,11 +250,11 @@ fn e09_8_and_16_bits_are_not_enough_and_24_are() {
     let mut wrong = vec![];
     let study = Study::new(10_000.0);
     for bits in [8, 16, 24] {
-        let trial = Trial {
+        let experiment = Experiment {
             place: Place::ShaderInBits(bits),
             ..WINDOW_Z
         };
-        let finding = study.try_out(trial, D32F);
+        let finding = study.run_experiment(experiment, D32F);
         report(&format!("{bits} bits"), &finding);
         let steps = ((1_u32 << bits) - 1) as f32;
         let kept = |list: &Vec<onionskin::gl::CapturedFragment>| {
@@ -258,13 +277,13 @@ fn e09_8_and_16_bits_are_not_enough_and_24_are() {
 fn e09_a_16_bit_depth_buffer_loses_what_shares_a_step() {
     let study = Study::new(100.0);
     let place = Place::ShaderInBits(16);
-    let finding = study.try_out(Trial { place, ..WINDOW_Z }, D16);
+    let finding = study.run_experiment(Experiment { place, ..WINDOW_Z }, D16);
     report("D16", &finding);
     assert!(finding.ended && finding.missing > 0);
     assert_eq!(finding.doubled, 0);
     // The greater the ratio of far to near, the less 16 bits are.
     let far = Study::new(10_000.0);
-    let finding_far = far.try_out(Trial { place, ..WINDOW_Z }, D16);
+    let finding_far = far.run_experiment(Experiment { place, ..WINDOW_Z }, D16);
     report("D16, ratio 10000", &finding_far);
     let part =
         |finding: &Finding, study: &Study| finding.missing as f64 / study.lists.count() as f64;
@@ -275,7 +294,7 @@ fn e09_a_16_bit_depth_buffer_loses_what_shares_a_step() {
 fn e06_the_detector_and_the_exact_image_agree_on_what_is_right() {
     // Two independent judges: colours against the oracle, and fragments counted by the light they let through.
     let study = Study::new(100.0);
-    let finding = study.try_out(MIXED, D32F);
+    let finding = study.run_experiment(MIXED, D32F);
     let off = Comparison::pixels(&finding.image, &study.exact).unwrap();
     for (pixel, verdict) in finding.pixels.iter().enumerate() {
         if *verdict == Verdict::Right {
@@ -328,8 +347,8 @@ impl Study {
         }
     }
 
-    fn try_out(&self, trial: Trial, depth: Format) -> Finding {
-        try_out(&self.context, &self.scene, &self.exact, trial, depth).unwrap()
+    fn run_experiment(&self, experiment: Experiment, depth: Format) -> Finding {
+        run_experiment(&self.context, &self.scene, &self.exact, experiment, depth).unwrap()
     }
 
     fn render(&self, method: &Method, depth: Format) -> Frame {
