@@ -83,7 +83,7 @@ impl Animate {
         let range = self.range(animation.path.frames)?;
         let context = self.setup.gl.context()?;
         let renderer = self.setup.renderer(&context, &animation.scene)?;
-        let mut renderer = self.method.slices.told(renderer)?;
+        let mut renderer = self.method.slices.apply_to(renderer)?;
         let folder = FrameFolder::open(&self.output, &self.identity(&animation, &method))?;
         let rendered = self.fill(&folder, &animation, &method, &mut renderer, range.clone())?;
         let (table, in_table) = folder.join(animation.path.frames)?;

@@ -64,7 +64,9 @@ impl Compare {
         if self.method == "all" {
             methods.retain(|method| runs_here(method, &context));
         }
-        let mut renderer = self.slices.told(self.setup.renderer(&context, &scene)?)?;
+        let mut renderer = self
+            .slices
+            .apply_to(self.setup.renderer(&context, &scene)?)?;
         let progress = Progress::new(methods.len() as u64 + 1, "exact");
         let exact = self.setup.exact(&mut renderer, &scene)?;
         progress.part_done();

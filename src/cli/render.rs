@@ -58,7 +58,7 @@ impl Render {
         let mut renderer = self
             .method
             .slices
-            .told(self.setup.renderer(&context, &scene)?)?;
+            .apply_to(self.setup.renderer(&context, &scene)?)?;
         if self.method.chosen.has("layers") {
             let peels = self.method.chosen.value("peels").unwrap_or("0");
             let peels = peels.parse().unwrap_or(0);

@@ -34,7 +34,7 @@ impl Slices {
     }
 
     /// The renderer, set to draw volumes as so many slices.
-    pub(super) fn told<'c>(&self, renderer: Renderer<'c>) -> Result<Renderer<'c>> {
+    pub(super) fn apply_to<'c>(&self, renderer: Renderer<'c>) -> Result<Renderer<'c>> {
         match self.slices {
             Some(count) => renderer.with_slices(count),
             None => Ok(renderer),
