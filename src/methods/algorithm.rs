@@ -78,7 +78,7 @@ pub enum Composited {
     /// So many of them.
     Some(u64),
     /// All but so many of them.
-    AllBut(u64),
+    Lost(u64),
     /// The method cannot tell.
     Unknown,
 }
@@ -88,7 +88,7 @@ impl Composited {
     pub(super) fn count(self) -> u64 {
         match self {
             Self::Some(count) => count,
-            Self::All | Self::AllBut(_) | Self::Unknown => 0,
+            Self::All | Self::Lost(_) | Self::Unknown => 0,
         }
     }
 }

@@ -107,7 +107,7 @@ impl Algorithm for DualDepthPeeling {
                 self.end.clone(),
                 machine,
             )?;
-            drawn.composited = Composited::AllBut(machine.samples(bavoil::FRAGMENTS_LEFT)?);
+            drawn.composited = Composited::Lost(machine.samples(bavoil::FRAGMENTS_LEFT)?);
         }
         Ok(())
     }

@@ -310,7 +310,7 @@ impl<'c> Renderer<'c> {
         let lost = match drawn.composited {
             Composited::All => Some(0),
             Composited::Some(composited) => Some(fragments.saturating_sub(composited)),
-            Composited::AllBut(left) => Some(left),
+            Composited::Lost(left) => Some(left),
             Composited::Unknown => None,
         };
         // Without this check, parts for which a driver had too little memory would only be missing in the image.
