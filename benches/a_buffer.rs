@@ -4,7 +4,7 @@
 //! `cargo bench --bench a_buffer [SCENE.toml ...]`; without scenes, figure 7's 64 quads, a generated mesh and the molecule.
 
 use onionskin::fragment::Rgba;
-use onionskin::methods::{ABufferOptions, Fill, Manager, Sort};
+use onionskin::methods::{ABufferOptions, ArraySort, Fill, Manager};
 use onionskin::scene::generate::{TorusKnot, torus_knot};
 use onionskin::{Context, Method, Renderer, Result, Scene};
 
@@ -119,9 +119,9 @@ fn table(
             );
         }
         for (what, fill, sort) in [
-            ("atomics", Fill::Atomics, Sort::Automatic),
-            ("insertion sort", Fill::Automatic, Sort::Insertion),
-            ("network", Fill::Automatic, Sort::Network),
+            ("atomics", Fill::Atomics, ArraySort::Automatic),
+            ("insertion sort", Fill::Automatic, ArraySort::Insertion),
+            ("network", Fill::Automatic, ArraySort::Network),
         ] {
             let options = ABufferOptions {
                 manager,

@@ -6,7 +6,7 @@ use crate::kit::stack;
 use onionskin::gl::Format;
 use onionskin::image::Comparison;
 use onionskin::methods::{
-    ABufferOptions, CountBy, Fill, Frame, Manager, RecordColor, Sort, Technique,
+    ABufferOptions, ArraySort, CountBy, Fill, Frame, Manager, RecordColor, Technique,
 };
 use onionskin::{Context, Method, Renderer, Scene};
 use proptest::test_runner::{TestCaseError, TestError};
@@ -23,7 +23,7 @@ fn combinations() -> Vec<ABufferOptions> {
     for manager in MANAGERS {
         for (pp_ao, pp_dp) in LOCAL {
             for fill in [Fill::Atomics, Fill::Automatic] {
-                for sort in [Sort::Network, Sort::Insertion] {
+                for sort in [ArraySort::Network, ArraySort::Insertion] {
                     for color in [RecordColor::Half, RecordColor::Float] {
                         all.push(ABufferOptions {
                             manager,

@@ -9,7 +9,7 @@ use onionskin::emulator::run_on_lists;
 use onionskin::fragment::Fragment;
 use onionskin::image::{Comparison, Image};
 use onionskin::methods::{
-    ABufferOptions, Fill, Keep, Manager, RecordColor, Sort, Technique, registry,
+    ABufferOptions, ArraySort, Fill, Keep, Manager, RecordColor, Technique, registry,
 };
 use onionskin::papers::lindholm_2015::components::{
     KEEP_NEAREST, PP_AO, PP_AO_KEEPING_NEAREST, PP_AO_WITHOUT_PP_DP, STATIC_ARRAY,
@@ -114,7 +114,7 @@ fn every_static(array: u32, pp_ao: &[bool]) -> Vec<ABufferOptions> {
     for manager in MANAGERS {
         for fill in [Fill::Atomics, Fill::Automatic] {
             for &pp_ao in pp_ao {
-                for sort in [Sort::Network, Sort::Insertion] {
+                for sort in [ArraySort::Network, ArraySort::Insertion] {
                     for keep in [Keep::First, Keep::Nearest] {
                         all.push(ABufferOptions {
                             manager,
@@ -344,7 +344,7 @@ fn a_ray_begins_in_a_volume_whose_face_is_dropped_as_too_far() {
     let mut renderer = Renderer::new(&context, scene.size[0], scene.size[1]).unwrap();
     let exact = renderer.render(&scene, &Method::Exact).unwrap().image;
     for manager in MANAGERS {
-        for sort in [Sort::Network, Sort::Insertion] {
+        for sort in [ArraySort::Network, ArraySort::Insertion] {
             let options = ABufferOptions {
                 array: 1,
                 keep: Keep::Nearest,

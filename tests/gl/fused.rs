@@ -5,7 +5,7 @@ use crate::kit::stack;
 use std::cell::Cell;
 
 use onionskin::image::Comparison;
-use onionskin::methods::{ABufferOptions, CountBy, Fill, Frame, Manager, RecordColor, Sort};
+use onionskin::methods::{ABufferOptions, ArraySort, CountBy, Fill, Frame, Manager, RecordColor};
 use onionskin::scene::{Transfer, TransferPoint};
 use onionskin::{Context, Method, Renderer, Scene};
 use proptest::test_runner::{TestCaseError, TestError};
@@ -139,8 +139,8 @@ fn l16_l17_every_combination_gives_one_image() {
         for manager in [Manager::Ffb, Manager::Dfb, Manager::Ppll] {
             for (pp_ao, pp_dp) in [(false, false), (true, false), (false, true), (true, true)] {
                 for (fill, sort, budget) in [
-                    (Fill::Atomics, Sort::Insertion, None),
-                    (Fill::Automatic, Sort::Network, Some(60_000)),
+                    (Fill::Atomics, ArraySort::Insertion, None),
+                    (Fill::Automatic, ArraySort::Network, Some(60_000)),
                 ] {
                     // ppDP in subpasses of 3, and of 8 where ppAO ends.
                     let options = ABufferOptions {

@@ -3,7 +3,7 @@
 
 use crate::kit::bounds::distance;
 use onionskin::image::Image;
-use onionskin::methods::{ABufferOptions, Frame, Manager, RecordColor, Sort};
+use onionskin::methods::{ABufferOptions, ArraySort, Frame, Manager, RecordColor};
 use onionskin::oracle::volumes::Ray;
 use onionskin::papers::lindholm_2015::components::{PP_DP, STOP};
 use onionskin::papers::lindholm_2015::fused::{EVALUATE_BUFFER, FUSED_PP_DP};
@@ -19,7 +19,7 @@ const SIGMA: f64 = 0.7_f32 as f64;
 const AS_PRINTED: ABufferOptions = ABufferOptions {
     manager: Manager::Dfb,
     color: RecordColor::Float,
-    sort: Sort::Insertion,
+    sort: ArraySort::Insertion,
     as_printed: true,
     ..ABufferOptions::DEFAULT
 };

@@ -1,6 +1,6 @@
 //! What the tests of A-buffers on OpenGL have in common.
 
-use onionskin::methods::{ABufferCounts, ABufferOptions, Frame, Manager, RecordColor, Sort};
+use onionskin::methods::{ABufferCounts, ABufferOptions, ArraySort, Frame, Manager, RecordColor};
 use onionskin::scene::Camera;
 use onionskin::scene::generate::{Order, Quads, Soup, quads, soup};
 use onionskin::{Method, Renderer, Scene};
@@ -16,7 +16,7 @@ pub const MANAGERS: [Manager; 3] = [Manager::Ffb, Manager::Dfb, Manager::Ppll];
 pub fn small(manager: Manager) -> ABufferOptions {
     ABufferOptions {
         manager,
-        sort: Sort::Insertion,
+        sort: ArraySort::Insertion,
         ..ABufferOptions::DEFAULT
     }
 }
@@ -25,7 +25,7 @@ pub fn small(manager: Manager) -> ABufferOptions {
 pub fn options() -> ABufferOptions {
     ABufferOptions {
         color: RecordColor::Float,
-        sort: Sort::Insertion,
+        sort: ArraySort::Insertion,
         ..ABufferOptions::DEFAULT
     }
 }

@@ -1,6 +1,6 @@
 //! Choosing between the two sorts of a Local Array, if the caller leaves the choice open.
 
-use super::options::{ABufferOptions, Sort};
+use super::options::{ABufferOptions, ArraySort};
 use crate::gl::network::odd_even_merge;
 
 /// Whether insertion sorts the Local Arrays. `counts` are the pixels' complexities, `layers` is the largest of them.
@@ -15,9 +15,9 @@ use crate::gl::network::odd_even_merge;
 /// bench, and by 31 % on 16 quads.
 pub(super) fn inserts(options: &ABufferOptions, counts: &[u32], layers: u32) -> bool {
     match options.sort {
-        Sort::Insertion => true,
-        Sort::Network => false,
-        Sort::Automatic => {
+        ArraySort::Insertion => true,
+        ArraySort::Network => false,
+        ArraySort::Automatic => {
             let written_out = options.pp_dp && !options.pp_ao;
             !written_out && mean_square(counts) <= pairs(options, layers) as f64
         }
@@ -81,7 +81,7 @@ mod tests {
 
     #[test]
     fn what_is_asked_for_is_what_is_done() {
-        for (sort, expected) in [(Sort::Insertion, true), (Sort::Network, false)] {
+        for (sort, expected) in [(ArraySort::Insertion, true), (ArraySort::Network, false)] {
             for n in [0, 1, 300] {
                 let options = ABufferOptions {
                     sort,

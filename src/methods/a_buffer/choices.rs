@@ -1,7 +1,7 @@
 //! The options of A-buffers, by name.
 
 use super::super::choice::{AS_PRINTED, Choice, Setter, Takes, number, set, word};
-use super::options::{ABufferOptions, Fill, Keep, RecordColor, Sort};
+use super::options::{ABufferOptions, Fill, Keep, RecordColor, ArraySort};
 
 pub(super) const CHOICES: &[Setter<ABufferOptions>] = &[
     ARRAY.sets(|o, text| set(&mut o.array, number(text))),
@@ -82,7 +82,7 @@ const ARRAY_SORT: Choice = Choice {
     ]),
     help: "How local arrays are sorted. The result is the same [default: the quicker sort for the scene]",
 };
-const SORTS: [(&str, Sort); 2] = [("insertion", Sort::Insertion), ("network", Sort::Network)];
+const SORTS: [(&str, ArraySort); 2] = [("insertion", ArraySort::Insertion), ("network", ArraySort::Network)];
 
 const RECORD_COLOR: Choice = Choice {
     name: "record-color",

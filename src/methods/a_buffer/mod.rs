@@ -25,7 +25,7 @@ mod loops;
 mod options;
 
 pub use bands::{Band, Room, bands};
-pub use options::{ABufferOptions, Fill, Keep, LARGEST_NETWORK, Manager, RecordColor, Sort};
+pub use options::{ABufferOptions, Fill, Keep, LARGEST_NETWORK, Manager, RecordColor, ArraySort};
 
 use array_sort::inserts;
 use bands::deepest;

@@ -15,7 +15,7 @@ pub enum Manager {
 
 /// The sort of a Local Array. The result does not depend on it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Sort {
+pub enum ArraySort {
     /// The quicker one: insertion if most pixels have few fragments, otherwise a network.
     #[default]
     Automatic,
@@ -96,7 +96,7 @@ pub struct ABufferOptions {
     /// n, the size of ppDP's Local Array, 1 to 64. The paper finds 8 the fastest.
     pub peel: u32,
     /// The sort of Local Arrays.
-    pub sort: Sort,
+    pub sort: ArraySort,
     /// The way in which lists are filled.
     pub fill: Fill,
     /// The format of records' colours.
@@ -122,7 +122,7 @@ impl ABufferOptions {
         array: 64,
         peel: 8,
         keep: Keep::First,
-        sort: Sort::Automatic,
+        sort: ArraySort::Automatic,
         fill: Fill::Automatic,
         color: RecordColor::Half,
         termination: 0.0,
