@@ -36,7 +36,7 @@ pub enum Error {
         remedy: String,
     },
     /// No way to OpenGL was found.
-    #[error("there is no OpenGL 4.3 to be had here:\n{}\n  {INSTALL}", list(.tried))]
+    #[error("no OpenGL 4.3 driver was found:\n{}\n  {INSTALL}", list(.tried))]
     NoContext {
         /// What was tried, in order.
         tried: Vec<Attempt>,

@@ -26,7 +26,7 @@ fn picture_or_blame(name: &str, value: &str) -> bool {
     if !rendered {
         assert_eq!(answer.code, 2, "{answer}");
         answer.says(&[
-            "there is no OpenGL 4.3",
+            "no OpenGL 4.3 driver was found",
             &format!("{name}={value}"),
             &format!("unset {name}"),
         ]);
