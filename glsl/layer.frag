@@ -1,5 +1,6 @@
 #version 430 core
 // A picture as it is.
+// vertex: screen.vert
 
 layout(binding = 2) uniform sampler2D picture;
 

@@ -1,5 +1,6 @@
 #version 430 core
 // A layer over those behind it, back to front: straight alpha, for (SRC_ALPHA, ONE_MINUS_SRC_ALPHA).
+// vertex: screen.vert
 
 #include "common/layer.glsl"
 

@@ -1,5 +1,6 @@
 #version 430 core
 // One triangle that covers the viewport, from three vertices that need no buffer.
+// draws: screen
 
 invariant gl_Position;
 

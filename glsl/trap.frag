@@ -1,5 +1,6 @@
 #version 430 core
 // Counts its own invocations; some drivers lose some (see `onionskin doctor`).
+// vertex: screen.vert
 
 layout(std430, binding = 0) buffer Count {
     uint count;

@@ -1,5 +1,6 @@
 #version 430 core
 // A layer under those before it, front to back: premultiplied, for (ONE_MINUS_DST_ALPHA, ONE).
+// vertex: screen.vert
 
 #include "common/layer.glsl"
 

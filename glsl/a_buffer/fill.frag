@@ -1,5 +1,6 @@
 #version 430 core
 // Fill Step with atomics: each fragment counts its pixel's counter up, finds its place and writes its record there.
+// defines: method
 
 #include "a_buffer/pixel.glsl"
 #include "a_buffer/record.glsl"

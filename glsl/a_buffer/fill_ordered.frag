@@ -2,6 +2,7 @@
 #extension GL_EXT_shader_framebuffer_fetch : require
 // Fill Step with ordered fragments: the pixel's counter is a colour of the framebuffer, which a fragment reads and writes
 // in its turn. No atomics.
+// defines: method
 
 #include "a_buffer/pixel.glsl"
 #include "a_buffer/record.glsl"

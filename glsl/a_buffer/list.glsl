@@ -1,4 +1,5 @@
 // Walking a pixel's Fragment List. One way for each memory manager (Lindholm et al. 2015, figure 4).
+// defines: method
 
 layout(binding = 1) uniform usampler2D counter;
 layout(binding = 3) uniform usamplerBuffer records;

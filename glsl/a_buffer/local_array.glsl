@@ -6,6 +6,7 @@
 //
 // With IN_ORDER a pixel's records lie in the order of their submission, so the lower half is the place of the record,
 // and the key is the whole element. With atomics they lie as they came; then the lower half is the id.
+// defines: method
 
 double key[N];
 

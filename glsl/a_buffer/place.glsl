@@ -6,6 +6,7 @@
 // nodes from the pool: fragments of different pixels have no order and can share no counter, so a node's place follows
 // from the pixel and its own count, and a scan of all counts is what leaves no gaps. A pixel's nodes then lie side by
 // side, and its links say what the offsets say.
+// defines: method
 
 #if MANAGER == FFB
 #include "a_buffer/fixed.glsl"

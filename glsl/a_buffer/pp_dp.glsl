@@ -5,6 +5,7 @@
 // fit into the buffer are skipped in the next pass, and what lies at depth 0 is skipped always. Amended, the
 // order of submission decides between equal depths (errata L1, L4). Either way a pass that did not overflow is the last
 // (L3).
+// defines: method
 
 // Inserts with insertion sort. Stores at most N elements, drops the last element on overflow.
 void insert(double key_f, uint place_f) {

@@ -1,4 +1,5 @@
 // The ray so far, front to back, and what it has cost.
+// defines: method
 
 layout(location = 0) out vec4 color;
 layout(location = 1) out uvec4 cost;

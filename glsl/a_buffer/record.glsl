@@ -4,6 +4,7 @@
 // surface's number is its triangle's place in the order of submission, so that (z, id) puts the fragments of a pixel
 // into one order, whatever the order in which they came. A proxy's bit 29 says that the ray leaves the volume there, and
 // bits 4 to 0 are the volume's number, so that an occupancy of 32 bits holds them all.
+// defines: method
 
 const uint SURFACE = 0u << 30;
 const uint VOLUME = 1u << 30;

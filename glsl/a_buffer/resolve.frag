@@ -1,5 +1,6 @@
 #version 430 core
 // Resolve Step: every pixel that has a fragment. Which pixels are drawn at all, the stencil test may say.
+// vertex: screen.vert
 
 #include "a_buffer/resolve_pixel.glsl"
 

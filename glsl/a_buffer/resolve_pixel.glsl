@@ -1,4 +1,5 @@
 // The Resolve Step of a pixel with `count` fragments, by a Local Array of N elements.
+// defines: method
 
 #define INSERTION (SORT_BY_INSERTION || N > LARGEST_NETWORK)
 

@@ -1,7 +1,7 @@
 #version 430 core
 // The counts of an image's pixels, one after the other, for the prefix scan.
 
-layout(local_size_x = 16, local_size_y = 16) in;
+layout(local_size_x = TILE, local_size_y = TILE) in;
 
 layout(binding = 1) uniform sampler2D complexity;
 layout(std430, binding = 0) writeonly buffer Counts {

@@ -1,7 +1,7 @@
 #version 430 core
-// Prefix scan, upwards: the sum of each 64 numbers of one level is one number of the next.
+// Prefix scan, upwards: the sum of each CHUNK numbers of one level is one number of the next.
 
-layout(local_size_x = 256) in;
+layout(local_size_x = GROUP) in;
 
 layout(std430, binding = 0) readonly buffer Lower {
     uint lower[];
@@ -13,10 +13,10 @@ layout(std430, binding = 1) writeonly buffer Upper {
 uniform uint count;    // of the lower level
 
 void main() {
-    uint first = gl_GlobalInvocationID.x * 64u;
+    uint first = gl_GlobalInvocationID.x * uint(CHUNK);
     if (first < count) {
         uint sum = 0u;
-        for (uint i = first; i < min(first + 64u, count); ++i) {
+        for (uint i = first; i < min(first + uint(CHUNK), count); ++i) {
             sum += lower[i];
         }
         upper[gl_GlobalInvocationID.x] = sum;

@@ -1,5 +1,6 @@
 // What a fragment comes from, for its record: a surface, or with VOLUMES the box around one (Lindholm et al. 2015, section
 // 6.1). A box has no colour, and is not shaded.
+// defines: method
 
 vec4 surface_color();    // surface/unlit.frag or surface/lit.frag
 uniform uint first_triangle;

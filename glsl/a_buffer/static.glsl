@@ -1,6 +1,7 @@
 // The static Local Array: the Fragment List is copied, sorted, composited. What the array has no room for is dropped:
 // what lies past N in the list ("all fragments beyond this number are discarded", Lindholm et al. 2015, section 4), or
 // with KEEP_NEAREST what lies behind the N nearest. ppAO's smaller segments and ppDP drop nothing.
+// defines: method
 
 #define KEEPS (KEEP_NEAREST && N == LAST_SEGMENT)
 

@@ -1,6 +1,7 @@
 #version 430 core
 // The same with NV_texture_shader's DOT_PRODUCT_DEPTH_REPLACE: the depth that is tested and stored is not the
 // rasteriser's.
+// vertex: classic/vertex.vert
 
 vec4 surface_color();    // surface/unlit.frag, lit.frag or slice.frag: the primary colour
 

@@ -1,5 +1,6 @@
 #version 430 core
 // The fixed functions of 2001 after the rasteriser: texture environment, alpha test.
+// vertex: classic/vertex.vert
 
 vec4 surface_color();    // surface/unlit.frag, lit.frag or slice.frag: the primary colour
 

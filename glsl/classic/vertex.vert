@@ -2,6 +2,7 @@
 // geometry.vert, with the texture coordinates of the fixed functions: EYE_LINEAR from planes that the inverse of the
 // modelview matrix of their time has been multiplied into, or (0, 0, 0, 1) where none are generated; then each unit's
 // texture matrix. The position is invariant: it is that of geometry.vert.
+// looks at: classic state
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;

@@ -1,15 +1,5 @@
 #version 430 core
 // Sorted surfaces between two peels: (lower, upper); line 17 of Algorithm 1.
 
-#include "common/clip.glsl"
-
-out vec4 color;
-
-void main() {
-    STORE_DEPTH
-    float z = FRAGMENT_DEPTH;
-    if (!(lower_bound() < z && z < upper_bound())) {
-        discard;
-    }
-    color = premultiplied_color();
-}
+#define INSIDE(z) lower_bound() < z && z < upper_bound()
+#include "common/clipped.glsl"

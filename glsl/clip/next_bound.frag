@@ -1,5 +1,6 @@
 #version 430 core
 // The upper bound becomes a depth: the next iteration's lower bound.
+// vertex: screen.vert
 
 layout(binding = 2) uniform sampler2D upper;
 layout(binding = 3) uniform sampler2D other_upper;

@@ -5,6 +5,7 @@
 // (glColorMaski): drivers do not keep one that is only read. With IMAGES they are images, loaded and stored between
 // the two ends of an interlock, where the driver has one: a main function writes BEGIN_FRAGMENT and END_FRAGMENT around
 // what it does, because neither end may stand anywhere else.
+// defines: method
 
 #ifdef IMAGES
 #extension GL_ARB_fragment_shader_interlock : enable

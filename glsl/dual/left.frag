@@ -1,5 +1,6 @@
 #version 430 core
 // For an occlusion query: the pixels in which some fragment is left to peel.
+// vertex: screen.vert
 
 #include "common/dual.glsl"
 

@@ -1,5 +1,6 @@
 #version 450 core
 // Algorithm 2, lines 7 to 12: z3 goes to the opaque depth, so that a pixel with nothing left ends there.
+// vertex: screen.vert
 
 #include "common/ideal.glsl"
 

@@ -1,5 +1,6 @@
 #version 450 core
 // Algorithm 2, lines 7 to 12, as printed.
+// vertex: screen.vert
 
 #include "common/ideal.glsl"
 

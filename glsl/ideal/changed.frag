@@ -1,5 +1,6 @@
 #version 450 core
 // Algorithm 2's gChanged: pass 1 has found something at this pixel.
+// vertex: screen.vert
 
 #include "common/ideal.glsl"
 

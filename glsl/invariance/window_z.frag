@@ -1,5 +1,6 @@
 #version 430 core
 // A surface behind the layers peeled so far; the depth that is stored is the rasteriser's window z.
+// vertex: invariance/vertex.vert
 
 vec4 surface_color();    // surface/unlit.frag, lit.frag or slice.frag
 

@@ -7,6 +7,7 @@
 use bytemuck::{Pod, Zeroable};
 use glow::HasContext;
 
+use super::bindings;
 use super::context::Context;
 use super::machine::GlMachine;
 use super::making::{Making, allocate};
@@ -231,12 +232,16 @@ impl<'c> List<'c> {
         // within `room`.
         unsafe {
             let counter = making.buffer()?;
-            gl.bind_buffer_base(glow::SHADER_STORAGE_BUFFER, 0, Some(counter));
+            gl.bind_buffer_base(
+                glow::SHADER_STORAGE_BUFFER,
+                bindings::COUNTER,
+                Some(counter),
+            );
             allocate(gl, "the counter of fragments", 4, || {
                 gl.buffer_data_u8_slice(glow::SHADER_STORAGE_BUFFER, &[0; 4], glow::DYNAMIC_READ);
             })?;
             let list = making.buffer()?;
-            gl.bind_buffer_base(glow::SHADER_STORAGE_BUFFER, 1, Some(list));
+            gl.bind_buffer_base(glow::SHADER_STORAGE_BUFFER, bindings::CAPTURED, Some(list));
             let what = format!("a list of {expected} fragments");
             allocate(gl, &what, bytes as u64, || {
                 gl.buffer_data_size(glow::SHADER_STORAGE_BUFFER, bytes, glow::DYNAMIC_READ);

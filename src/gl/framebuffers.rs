@@ -1,42 +1,44 @@
 //! Framebuffers, into which listings draw.
 
+use std::collections::HashMap;
+
 use glow::HasContext;
 
-use super::machine::GlMachine;
+use super::context::Context;
 use super::making::{expect_no_error, named};
 use super::texture::Texture;
 use crate::error::{Error, Result};
-use crate::steps::{Map, Target};
+use crate::steps::Target;
 
 /// OpenGL 3.0 and later have at least so many colour attachments.
 const MOST_COLORS: usize = 8;
 
-impl GlMachine<'_> {
-    /// Makes a framebuffer that draws into these maps.
-    ///
-    /// # Errors
-    /// If a map is missing, or the driver does not support the combination.
-    pub fn target(&mut self, target: Target, color: Option<Map>, depth: Option<Map>) -> Result<()> {
-        self.target_of(target, color.as_slice(), depth)
-    }
+/// The framebuffers of a machine, by name.
+#[derive(Debug, Default)]
+pub(super) struct Framebuffers(HashMap<Target, glow::Framebuffer>);
 
-    /// The same with as many color maps as there are, the first for the shaders' location 0.
+impl Framebuffers {
+    /// Makes a framebuffer that draws into these textures, the first color for the shaders' location 0. The context is
+    /// current, here and below.
     ///
     /// # Errors
-    /// As [`target`](Self::target).
+    /// If the driver does not take the combination.
     ///
     /// # Panics
-    /// With more than eight.
-    pub fn target_of(&mut self, target: Target, colors: &[Map], depth: Option<Map>) -> Result<()> {
-        self.bind_framebuffer(target)?;
-        let gl = self.context.glow();
-        let texture = |map: Option<Map>| map.map(|map| self.texture(map)).transpose();
+    /// With more than eight colors.
+    pub(super) fn attach(
+        &mut self,
+        gl: &glow::Context,
+        target: Target,
+        colors: &[Texture],
+        depth: Option<Texture>,
+    ) -> Result<()> {
+        self.bind(gl, target)?;
         let attachments: Vec<u32> = (glow::COLOR_ATTACHMENT0..).take(MOST_COLORS).collect();
-        let depth_texture = texture(depth)?;
-        let depth_attachment = depth_attachment(depth_texture);
-        // The framebuffer may have had more color maps before. The others are detached.
+        let depth_attachment = depth_attachment(depth);
+        // The framebuffer may have had more before: the others are attached to nothing.
         for (number, &attachment) in attachments.iter().enumerate() {
-            let raw = texture(colors.get(number).copied())?.map(|texture| texture.raw);
+            let raw = colors.get(number).map(|texture| texture.raw);
             // SAFETY: the framebuffer is bound, and the texture exists or is none.
             unsafe {
                 gl.framebuffer_texture_2d(glow::FRAMEBUFFER, attachment, glow::TEXTURE_2D, raw, 0)
@@ -44,7 +46,7 @@ impl GlMachine<'_> {
         }
         // SAFETY: as above; there are at most eight colours.
         unsafe {
-            let raw = depth_texture.map(|texture| texture.raw);
+            let raw = depth.map(|texture| texture.raw);
             gl.framebuffer_texture_2d(
                 glow::FRAMEBUFFER,
                 depth_attachment,
@@ -79,16 +81,21 @@ impl GlMachine<'_> {
     ///
     /// # Errors
     /// If there is no such framebuffer.
-    pub fn copy_to_window(&mut self, target: Target) -> Result<()> {
-        let Some(&framebuffer) = self.framebuffers.get(&target) else {
+    pub(super) fn copy_to_window(
+        &self,
+        context: &Context,
+        target: Target,
+        size: [u32; 2],
+    ) -> Result<()> {
+        let Some(&framebuffer) = self.0.get(&target) else {
             return Err(Error::usage(
                 "there is no image to show yet",
                 "render one first",
             ));
         };
-        let _visit = self.context.visit()?;
-        let gl = self.context.glow();
-        let [width, height] = self.size.map(|side| side as i32);
+        let _visit = context.visit()?;
+        let gl = context.glow();
+        let [width, height] = size.map(|side| side as i32);
         // SAFETY: the context is current, and the framebuffer is the machine's own.
         unsafe {
             // Both would change the copied colours.
@@ -102,20 +109,27 @@ impl GlMachine<'_> {
         expect_no_error(gl, "when the image is copied into the window's framebuffer")
     }
 
-    pub(super) fn bind_framebuffer(&mut self, target: Target) -> Result<()> {
-        let gl = self.context.glow();
-        let framebuffer = match self.framebuffers.get(&target) {
+    /// Binds a framebuffer, which is made when it is first named.
+    pub(super) fn bind(&mut self, gl: &glow::Context, target: Target) -> Result<()> {
+        let framebuffer = match self.0.get(&target) {
             Some(framebuffer) => *framebuffer,
             None => {
                 // SAFETY: the context is current.
                 let made = named("framebuffer", unsafe { gl.create_framebuffer() })?;
-                self.framebuffers.insert(target, made);
+                self.0.insert(target, made);
                 made
             }
         };
         // SAFETY: the framebuffer is the machine's own.
         unsafe { gl.bind_framebuffer(glow::FRAMEBUFFER, Some(framebuffer)) };
         Ok(())
+    }
+
+    pub(super) fn delete(&mut self, gl: &glow::Context) {
+        for (_, framebuffer) in self.0.drain() {
+            // SAFETY: the framebuffer is the machine's own and leaves its table here.
+            unsafe { gl.delete_framebuffer(framebuffer) };
+        }
     }
 }
 

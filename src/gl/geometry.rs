@@ -4,6 +4,7 @@ use bytemuck::{Pod, Zeroable};
 use glam::{DMat4, DVec3, Mat4, Vec3};
 use glow::HasContext;
 
+use super::bindings::{COLOR, NORMAL, POSITION};
 use super::context::Context;
 use super::making::Making;
 use super::program::Surfaces;
@@ -331,7 +332,9 @@ impl Uploaded {
             let bytes = bytemuck::cast_slice(triangles);
             let what = format!("the triangles of mesh '{}'", mesh.name);
             fill(gl, glow::ELEMENT_ARRAY_BUFFER, &what, bytes)?;
-            for (attribute, components, offset) in [(0, 3, 0), (1, 3, 12), (2, 4, 24)] {
+            for (attribute, components, offset) in
+                [(POSITION, 3, 0), (NORMAL, 3, 12), (COLOR, 4, 24)]
+            {
                 gl.enable_vertex_attrib_array(attribute);
                 gl.vertex_attrib_pointer_f32(
                     attribute,

@@ -5,8 +5,11 @@
 
 #[cfg(test)]
 pub(crate) mod changed;
+mod declared;
 
-use super::network;
+pub(super) use self::declared::{Declared, declared};
+
+use super::network::{self, LARGEST_NETWORK};
 use crate::error::{Error, Result};
 
 /// The files of `glsl/`, their names and texts: `glsl/build.rs` writes the table.
@@ -21,8 +24,6 @@ const ELEMENTS: &str = "a_buffer/elements";
 const EACH_VOLUME: &str = "a_buffer/each_volume";
 /// Likewise: the jumps of a binary search among POINTS elements.
 const HALVINGS: &str = "a_buffer/halvings";
-/// Larger networks take drivers too long to compile, and nothing includes them.
-const LARGEST_NETWORK: u32 = 128;
 
 /// The names of all fragment shaders, as listings have them.
 pub fn shaders() -> impl Iterator<Item = &'static str> {
@@ -60,7 +61,7 @@ impl Source {
             ELEMENTS => Some(elements.as_str()),
             EACH_VOLUME => Some(volumes.as_str()),
             HALVINGS => Some(halvings.as_str()),
-            _ => file_of(file),
+            _ => text_of(file),
         })?;
         if let (false, Some((version, rest))) = (constants.is_empty(), source.text.split_once('\n'))
         {
@@ -141,7 +142,7 @@ impl Source {
 }
 
 /// A file's text.
-fn file_of(name: &str) -> Option<&'static str> {
+pub(super) fn text_of(name: &str) -> Option<&'static str> {
     let (_, text) = FILES.iter().find(|(other, _)| *other == name)?;
     #[cfg(test)]
     let text = &changed::text(name, text);

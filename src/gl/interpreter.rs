@@ -1,20 +1,18 @@
 //! The interpreter: every call of a listing becomes a call of GL. This happens nowhere else.
 
-use std::collections::hash_map::Entry;
-
 use glow::HasContext;
 
+use super::classic::Around;
 use super::constants::{
     blend_equation, blend_factor, capability, clear_bits, compare, error_name, stencil_op,
 };
 use super::framebuffers::depth_attachment;
 use super::geometry::Geometry;
 use super::machine::GlMachine;
-use super::making::named;
-use super::program::{Linked, ProgramKey};
+use super::program::Linked;
 use super::texture::internal;
 use crate::error::{Error, Result};
-use crate::steps::{Call, Machine, Map, Objects, Query, Shader};
+use crate::steps::{Call, Machine, Objects, Query};
 
 impl Machine for GlMachine<'_> {
     /// In debug builds the step's text names a debug group around it, and OpenGL's errors are asked for after it.
@@ -45,116 +43,26 @@ impl Machine for GlMachine<'_> {
     }
 
     fn samples(&mut self, query: Query) -> Result<u64> {
-        let raw = self.queries.get(&query).copied().ok_or_else(|| {
-            let what = format!("the listing asks the query '{}' before it is made", query.0);
-            Error::usage(what, "glBeginQuery and glEndQuery come first")
-        })?;
-        // SAFETY: the query has begun and ended.
-        Ok(unsafe {
-            self.context
-                .glow()
-                .get_query_parameter_u64(raw, glow::QUERY_RESULT)
-        })
+        self.queries.samples(self.context.glow(), query)
     }
 }
 
 impl GlMachine<'_> {
-    fn use_program(&mut self, shader: Shader, size: Option<(&'static str, u32)>) -> Result<()> {
-        let gl = self.context.glow();
-        let key = ProgramKey::new(shader, &self.constants, size, self.slices, self.inverse_w);
-        if let Entry::Vacant(place) = self.programs.entry(key.clone()) {
-            let linked = Linked::new(gl, place.key())?;
-            place.insert(linked);
-        }
-        if let Linked::Screen(program) = &self.programs[&key] {
-            // SAFETY: the program is linked.
-            unsafe { gl.use_program(Some(program.raw)) };
-        }
-        self.current = Some(key);
-        Ok(())
-    }
-
-    fn query(&mut self, query: Query) -> Result<glow::Query> {
-        if let Some(query) = self.queries.get(&query) {
-            return Ok(*query);
-        }
-        // SAFETY: the context is current.
-        let made = named("query", unsafe { self.context.glow().create_query() })?;
-        self.queries.insert(query, made);
-        Ok(made)
-    }
-
-    fn copy(&mut self, from: Map, to: Map) -> Result<()> {
-        let source = self.texture(from)?;
-        self.allocate(to, source.format)?;
-        let destination = self.texture(to)?;
-        let [width, height] = self.size.map(|side| side as i32);
-        // SAFETY: both textures are the machine's, of one size and one format.
-        unsafe {
-            self.context.glow().copy_image_sub_data(
-                source.raw,
-                glow::TEXTURE_2D,
-                0,
-                0,
-                0,
-                0,
-                destination.raw,
-                glow::TEXTURE_2D,
-                0,
-                0,
-                0,
-                0,
-                width,
-                height,
-                1,
-            );
-        }
-        Ok(())
-    }
-
-    fn swap(&mut self, a: Map, b: Map) -> Result<()> {
-        let (of_a, of_b) = (self.texture(a)?, self.texture(b)?);
-        self.textures.insert(a, of_b);
-        self.textures.insert(b, of_a);
-        Ok(())
-    }
-
-    fn set_uniform(&self, name: &str, value: f32) {
-        let gl = self.context.glow();
-        let linked = self.current.as_ref().and_then(|key| self.programs.get(key));
-        for program in linked.into_iter().flat_map(Linked::programs) {
-            // SAFETY: the program is linked; GL ignores a uniform that it does not have.
-            unsafe {
-                gl.use_program(Some(program.raw));
-                let location = gl.get_uniform_location(program.raw, name);
-                gl.uniform_1_f32(location.as_ref(), value);
-            }
-        }
-    }
-
     fn whole(&self) -> [i32; 4] {
-        [0, 0, self.size[0] as i32, self.size[1] as i32]
+        [0, 0, self.size()[0] as i32, self.size()[1] as i32]
     }
 
     fn draw(&mut self, objects: Objects) -> Result<()> {
-        if self
-            .current
-            .as_ref()
-            .is_some_and(|key| key.shader.0.starts_with("classic/"))
-        {
-            self.set_classic_uniforms()?;
+        let program = self.programs.current()?;
+        if program.is_classic() {
+            let around = Around {
+                context: self.context,
+                maps: &self.maps,
+                samplers: &self.samplers,
+                geometry: self.geometry.as_ref(),
+            };
+            self.classic.prepare_draw(program, around)?;
         }
-        let no_program = || {
-            Error::usage(
-                "the listing draws before it chooses a program",
-                "glUseProgram comes first",
-            )
-        };
-        let program = self
-            .current
-            .as_ref()
-            .and_then(|key| self.programs.get(key))
-            .ok_or_else(no_program)?;
         match (program, objects) {
             (Linked::Screen(_), Objects::Screen) => {
                 let gl = self.context.glow();
@@ -198,7 +106,7 @@ impl GlMachine<'_> {
                 geometry.expect_context(self.context)?;
                 let drawn = geometry.draw(surfaces, objects);
                 if drawn && !matches!(objects, Objects::Opaque | Objects::Proxies) {
-                    self.counts.geometry_passes += 1;
+                    self.geometry_passes += 1;
                 }
             }
             _ => {
@@ -280,16 +188,15 @@ impl GlMachine<'_> {
                 }
                 Call::ActiveTexture { unit } => gl.active_texture(glow::TEXTURE0 + unit),
                 Call::BindTexture { texture } => {
-                    let texture = self.texture(texture)?;
+                    let texture = self.maps.get(texture)?;
                     gl.bind_texture(glow::TEXTURE_2D, Some(texture.raw));
                 }
                 Call::SamplerCompareFunc { func } => {
-                    let func = compare(func) as i32;
-                    gl.sampler_parameter_i32(self.shadow_sampler, glow::TEXTURE_COMPARE_FUNC, func);
+                    self.samplers.set_comparison(gl, compare(func));
                 }
-                Call::UseProgram { program } => self.use_program(program, None)?,
+                Call::UseProgram { program } => self.programs.choose(gl, program, None)?,
                 Call::UseProgramOfSize { program, size } => {
-                    self.use_program(program, Some(("N", size.known()?)))?;
+                    self.programs.choose(gl, program, Some(size.known()?))?;
                 }
                 Call::StencilReference {
                     func,
@@ -311,7 +218,7 @@ impl GlMachine<'_> {
                     gl.clear_buffer_u32_slice(glow::COLOR, drawbuffer, &[0; 4]);
                 }
                 Call::BindImage { unit, texture } => {
-                    let texture = self.texture(texture)?;
+                    let texture = self.maps.get(texture)?;
                     let format = internal(texture.format);
                     gl.bind_image_texture(
                         unit,
@@ -324,13 +231,12 @@ impl GlMachine<'_> {
                     );
                 }
                 Call::BindStorage { index, buffer } => {
-                    let raw = Some(self.storage(buffer)?.raw);
-                    gl.bind_buffer_base(glow::SHADER_STORAGE_BUFFER, index, raw);
+                    self.storages.bind(gl, index, buffer)?;
                 }
                 Call::MemoryBarrier => gl.memory_barrier(glow::ALL_BARRIER_BITS),
-                Call::BindFramebuffer { framebuffer } => self.bind_framebuffer(framebuffer)?,
+                Call::BindFramebuffer { framebuffer } => self.framebuffers.bind(gl, framebuffer)?,
                 Call::AttachColor { texture } => {
-                    let raw = Some(self.texture(texture)?.raw);
+                    let raw = Some(self.maps.get(texture)?.raw);
                     gl.framebuffer_texture_2d(
                         glow::FRAMEBUFFER,
                         glow::COLOR_ATTACHMENT0,
@@ -340,7 +246,7 @@ impl GlMachine<'_> {
                     );
                 }
                 Call::AttachDepth { texture } => {
-                    let texture = self.texture(texture)?;
+                    let texture = self.maps.get(texture)?;
                     gl.framebuffer_texture_2d(
                         glow::FRAMEBUFFER,
                         depth_attachment(Some(texture)),
@@ -349,20 +255,23 @@ impl GlMachine<'_> {
                         0,
                     );
                 }
-                Call::BeginQuery { query } => {
-                    let query = self.query(query)?;
-                    gl.begin_query(glow::SAMPLES_PASSED, query);
-                    self.counting = true;
-                }
-                Call::EndQuery { .. } => {
-                    gl.end_query(glow::SAMPLES_PASSED);
-                    self.counting = false;
-                }
-                Call::CopyImage { from, to } => self.copy(from, to)?,
-                Call::Swap { a, b } => self.swap(a, b)?,
+                Call::BeginQuery { query } => self.queries.begin(gl, query)?,
+                Call::EndQuery { .. } => self.queries.end(gl),
+                Call::CopyImage { from, to } => self.maps.copy(self.context, from, to)?,
+                Call::Swap { a, b } => self.maps.swap(a, b)?,
                 Call::Draw { objects } => self.draw(objects)?,
-                Call::Uniform { name, value } => self.set_uniform(name, value.known()?),
-                Call::Classic(ref call) => self.classic_call(call)?,
+                Call::Uniform { name, value } => {
+                    self.programs.set_uniform(gl, name, value.known()?);
+                }
+                Call::Classic(ref call) => {
+                    let around = Around {
+                        context: self.context,
+                        maps: &self.maps,
+                        samplers: &self.samplers,
+                        geometry: self.geometry.as_ref(),
+                    };
+                    self.classic.perform(call, around)?;
+                }
             }
         }
         Ok(())

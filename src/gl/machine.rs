@@ -1,21 +1,23 @@
-//! The GL machine's tables: which GL object a listing's name stands for. What the calls do is in `interpreter`.
-
-use std::collections::HashMap;
+//! The GL machine: the tables that give listings' names their GL objects, put together. What the calls do is in
+//! `interpreter`, what a method makes beforehand in `resources`.
 
 use glow::HasContext;
 
 use super::classic::Classic;
 use super::context::Context;
+use super::framebuffers::Framebuffers;
 use super::geometry::Geometry;
-use super::host::{UNITS, known_state};
+use super::host::known_state;
 use super::making::{Making, expect_no_error};
-use super::program::{Linked, ProgramKey};
-use super::scan::ScanPrograms;
-use super::storage::StorageBuffer;
-use super::texture::Texture;
-use super::volumes::{self, VolumeTextures};
+use super::maps::Maps;
+use super::program::Define;
+use super::programs::Programs;
+use super::queries::Queries;
+use super::samplers::Samplers;
+use super::scan::Scan;
+use super::storage::Storages;
+use super::volumes::Volumes;
 use crate::error::{Error, Result};
-use crate::steps::{Format, Map, Query, Storage, Target, Workspace};
 
 /// Runs listings on OpenGL.
 ///
@@ -24,36 +26,21 @@ use crate::steps::{Format, Map, Query, Storage, Target, Workspace};
 /// they are first named.
 pub struct GlMachine<'c> {
     pub(super) context: &'c Context,
-    pub(super) size: [u32; 2],
-    pub(super) textures: HashMap<Map, Texture>,
-    pub(super) framebuffers: HashMap<Target, glow::Framebuffer>,
-    pub(super) storages: HashMap<Storage, StorageBuffer>,
-    pub(super) programs: HashMap<ProgramKey, Linked>,
-    /// The defines of an A-buffer's programs.
-    pub(super) constants: Vec<(&'static str, u32)>,
-    /// The near plane's distance, as the bits of a float, if depths are 1/w.
-    pub(super) inverse_w: Option<u32>,
-    pub(super) queries: HashMap<Query, glow::Query>,
-    /// The sampler with compare mode, of texture unit 0.
-    pub(super) shadow_sampler: glow::Sampler,
-    /// The sampler without compare mode, of the other units.
-    pub(super) plain_sampler: glow::Sampler,
-    /// Draws without attributes need a vertex array without attributes.
+    pub(super) maps: Maps,
+    pub(super) framebuffers: Framebuffers,
+    pub(super) storages: Storages,
+    pub(super) programs: Programs,
+    pub(super) queries: Queries,
+    pub(super) samplers: Samplers,
+    /// Draws without attributes need an array of none.
     pub(super) no_attributes: glow::VertexArray,
     pub(super) geometry: Option<Geometry<'c>>,
-    pub(super) volumes: Option<VolumeTextures<'c>>,
-    /// The defines of the programs of slices, if any are drawn.
-    pub(super) slices: Option<volumes::Constants>,
-    /// The programs of the scan, which are linked when a scan is first asked for.
-    pub(super) scan: Option<ScanPrograms>,
-    pub(super) current: Option<ProgramKey>,
-    /// A query has begun and not ended.
-    pub(super) counting: bool,
-    /// The first row and the number of rows that are drawn to, or `None` for all rows.
-    pub(super) band: Option<[u32; 2]>,
-    pub(super) counts: Counts,
-    /// The state and the objects of classic calls.
+    pub(super) volumes: Volumes<'c>,
+    pub(super) scan: Scan,
     pub(super) classic: Classic,
+    /// First row and number of rows that are drawn to, if not all.
+    pub(super) band: Option<[u32; 2]>,
+    pub(super) geometry_passes: u64,
 }
 
 /// Counts of a machine's work since [`GlMachine::begin_frame`].
@@ -79,49 +66,25 @@ impl<'c> GlMachine<'c> {
             ));
         }
         context.begin_making()?;
-        let gl = context.glow();
-        let mut making = Making::new(gl);
-        // SAFETY: the context is current; the samplers are set up before they are used.
-        let (shadow_sampler, plain_sampler, no_attributes) = unsafe {
-            let shadow = making.sampler()?;
-            let plain = making.sampler()?;
-            for sampler in [shadow, plain] {
-                for (name, value) in [
-                    (glow::TEXTURE_MIN_FILTER, glow::NEAREST),
-                    (glow::TEXTURE_MAG_FILTER, glow::NEAREST),
-                    (glow::TEXTURE_WRAP_S, glow::CLAMP_TO_EDGE),
-                    (glow::TEXTURE_WRAP_T, glow::CLAMP_TO_EDGE),
-                ] {
-                    gl.sampler_parameter_i32(sampler, name, value as i32);
-                }
-            }
-            let compare = glow::COMPARE_REF_TO_TEXTURE as i32;
-            gl.sampler_parameter_i32(shadow, glow::TEXTURE_COMPARE_MODE, compare);
-            (shadow, plain, making.vertex_array()?)
-        };
+        let mut making = Making::new(context.glow());
+        let samplers = Samplers::new(&mut making)?;
+        let no_attributes = making.vertex_array()?;
         making.finish();
         Ok(Self {
             context,
-            size: [width, height],
-            textures: HashMap::new(),
-            framebuffers: HashMap::new(),
-            storages: HashMap::new(),
-            programs: HashMap::new(),
-            constants: Vec::new(),
-            inverse_w: None,
-            queries: HashMap::new(),
-            shadow_sampler,
-            plain_sampler,
+            maps: Maps::new([width, height]),
+            framebuffers: Framebuffers::default(),
+            storages: Storages::default(),
+            programs: Programs::default(),
+            queries: Queries::default(),
+            samplers,
             no_attributes,
             geometry: None,
-            volumes: None,
-            slices: None,
-            scan: None,
-            current: None,
-            counting: false,
-            band: None,
-            counts: Counts::default(),
+            volumes: Volumes::default(),
+            scan: Scan::default(),
             classic: Classic::default(),
+            band: None,
+            geometry_passes: 0,
         })
     }
 
@@ -132,7 +95,7 @@ impl<'c> GlMachine<'c> {
 
     /// Width and height of its images.
     pub fn size(&self) -> [u32; 2] {
-        self.size
+        self.maps.size
     }
 
     /// Sets the geometry that draw calls draw.
@@ -144,35 +107,16 @@ impl<'c> GlMachine<'c> {
     /// Listings start from there. The state before is lost, unless a [`Visit`](super::Visit) of the context is going
     /// on.
     pub fn begin_frame(&mut self) {
-        self.end_counting();
-        known_state(self.context, self.size);
         let gl = self.context.glow();
-        // SAFETY: the context is current, and the samplers are the machine's own.
-        unsafe {
-            gl.active_texture(glow::TEXTURE0);
-            for unit in 0..UNITS {
-                let sampler = match unit {
-                    0 => Some(self.shadow_sampler),
-                    1..8 => Some(self.plain_sampler),
-                    // Volumes are fetched texel by texel, and classic calls bind their own.
-                    _ => None,
-                };
-                gl.bind_sampler(unit, sampler);
-            }
-        }
-        // A listing chooses its program again.
-        self.current = None;
+        self.queries.end_counting(gl);
+        known_state(self.context, self.size());
+        // SAFETY: the context is current.
+        unsafe { gl.active_texture(glow::TEXTURE0) };
+        self.samplers.bind(gl);
+        self.programs.forget_current();
+        self.classic.begin_frame();
         self.band = None;
-        self.counts.geometry_passes = 0;
-        self.classic.state = None;
-    }
-
-    /// Ends a query that a listing has begun and, because a step of it failed, not ended.
-    fn end_counting(&mut self) {
-        if std::mem::take(&mut self.counting) {
-            // SAFETY: the context is current, and the machine's own query is active.
-            unsafe { self.context.glow().end_query(glow::SAMPLES_PASSED) };
-        }
+        self.geometry_passes = 0;
     }
 
     /// Asks OpenGL for errors since it was last asked. Release builds do not ask after each step.
@@ -183,10 +127,10 @@ impl<'c> GlMachine<'c> {
         expect_no_error(self.context.glow(), when)
     }
 
-    /// What the programs whose names begin with `a_buffer/` or `ideal/` are compiled with from now on: names and values that their
-    /// source sees as `#define`s.
-    pub fn set_constants(&mut self, constants: &[(&'static str, u32)]) {
-        self.constants = constants.to_vec();
+    /// What the programs whose shaders ask for it (`// defines: method`) are compiled with from now on: names and values
+    /// that their source sees as `#define`s.
+    pub fn set_constants(&mut self, defines: &[Define]) {
+        self.programs.defines = defines.to_vec();
     }
 
     /// Has surfaces tested, stored and compared by 1/w instead of window-space depth from now on, with the near plane at
@@ -194,12 +138,12 @@ impl<'c> GlMachine<'c> {
     /// `glsl/common/fragment_depth.glsl`. It takes depth maps in 32-bit float. Classic calls and the shaders of the
     /// invariance experiment know nothing of it.
     pub fn set_inverse_w(&mut self, near: Option<f32>) {
-        self.inverse_w = near.map(f32::to_bits);
+        self.programs.inverse_w = near.map(f32::to_bits);
     }
 
     /// Whether depths are 1/w.
     pub fn has_inverse_w(&self) -> bool {
-        self.inverse_w.is_some()
+        self.programs.inverse_w.is_some()
     }
 
     /// Draws and clears only so many rows from `first` on, counted from the bottom. With `None`, all rows.
@@ -216,7 +160,7 @@ impl<'c> GlMachine<'c> {
             match self.band {
                 Some([first, rows]) => {
                     gl.enable_draw_buffer(glow::SCISSOR_TEST, 0);
-                    let [width, rows] = [self.size[0], rows].map(|side| side as i32);
+                    let [width, rows] = [self.size()[0], rows].map(|side| side as i32);
                     gl.scissor_slice(0, 1, &[[0, first as i32, width, rows]]);
                 }
                 None => gl.disable_draw_buffer(glow::SCISSOR_TEST, 0),
@@ -227,14 +171,8 @@ impl<'c> GlMachine<'c> {
     /// The counts since the frame began.
     pub fn counts(&self) -> Counts {
         Counts {
-            bytes: self.textures.values().map(Texture::bytes).sum::<u64>()
-                + self
-                    .storages
-                    .values()
-                    .map(StorageBuffer::bytes)
-                    .sum::<u64>()
-                + self.volumes.as_ref().map_or(0, VolumeTextures::bytes),
-            ..self.counts
+            geometry_passes: self.geometry_passes,
+            bytes: self.maps.bytes() + self.storages.bytes() + self.volumes.bytes(),
         }
     }
 
@@ -243,9 +181,9 @@ impl<'c> GlMachine<'c> {
     /// # Errors
     /// The errors of `work`.
     pub fn aside<T>(&mut self, work: impl FnOnce(&mut Self) -> Result<T>) -> Result<T> {
-        let counts = self.counts;
+        let passes = self.geometry_passes;
         let result = work(self);
-        self.counts = counts;
+        self.geometry_passes = passes;
         result
     }
 
@@ -253,117 +191,6 @@ impl<'c> GlMachine<'c> {
     pub fn finish(&self) {
         // SAFETY: the context is current.
         unsafe { self.context.glow().finish() };
-    }
-
-    /// Makes a map of the image's size, unless it exists in this format.
-    ///
-    /// # Errors
-    /// If the driver has too little memory.
-    pub fn allocate(&mut self, map: Map, format: Format) -> Result<()> {
-        match self.textures.get(&map) {
-            Some(texture) if texture.format == format => Ok(()),
-            _ => {
-                self.context.begin_making()?;
-                self.free(map);
-                let texture = Texture::new(self.context.glow(), &map, format, self.size)?;
-                self.textures.insert(map, texture);
-                Ok(())
-            }
-        }
-    }
-
-    /// The format of a map.
-    ///
-    /// # Errors
-    /// If there is no such map.
-    pub fn format(&self, map: Map) -> Result<Format> {
-        Ok(self.texture(map)?.format)
-    }
-
-    /// Deletes a map.
-    pub fn free(&mut self, map: Map) {
-        if let Some(texture) = self.textures.remove(&map) {
-            // SAFETY: the texture is the machine's own and is no longer in its table.
-            unsafe { self.context.glow().delete_texture(texture.raw) };
-        }
-    }
-
-    /// Deletes every map, buffer, framebuffer and volume.
-    pub fn free_every_map(&mut self) {
-        (self.volumes, self.slices) = (None, None);
-        let gl = self.context.glow();
-        // SAFETY: the objects are the machine's own and leave its tables here.
-        unsafe {
-            self.framebuffers
-                .drain()
-                .for_each(|(_, framebuffer)| gl.delete_framebuffer(framebuffer));
-            self.storages
-                .drain()
-                .for_each(|(_, storage)| storage.delete(gl));
-            self.textures
-                .drain()
-                .for_each(|(_, texture)| gl.delete_texture(texture.raw));
-        }
-    }
-
-    /// A colour map's texels, bottom row first.
-    ///
-    /// # Errors
-    /// If there is no such map.
-    pub fn read_colors(&self, map: Map) -> Result<Vec<[f32; 4]>> {
-        Ok(self.texture(map)?.read_colors(self.context))
-    }
-
-    /// A depth map's depths, bottom row first.
-    ///
-    /// # Errors
-    /// If there is no such map.
-    pub fn read_depths(&self, map: Map) -> Result<Vec<f32>> {
-        Ok(self.texture(map)?.read_depths(self.context))
-    }
-
-    /// A depth map's stencil values, bottom row first. They are 0 if its format has none.
-    ///
-    /// # Errors
-    /// If there is no such map.
-    pub fn read_stencils(&self, map: Map) -> Result<Vec<u8>> {
-        Ok(self.texture(map)?.read_stencils(self.context))
-    }
-
-    /// An integer map's texels, four numbers each, bottom row first. Missing channels are 0, except the last, which is
-    /// 1.
-    ///
-    /// # Errors
-    /// If there is no such map.
-    pub fn read_integers(&self, map: Map) -> Result<Vec<[u32; 4]>> {
-        Ok(self.texture(map)?.read_integers(self.context))
-    }
-
-    /// A map's first channel, bottom row first, as whole numbers.
-    ///
-    /// # Errors
-    /// If there is no such map.
-    pub fn read_counts(&self, map: Map) -> Result<Vec<u32>> {
-        Ok(self.texture(map)?.read_counts(self.context))
-    }
-
-    pub(super) fn texture(&self, map: Map) -> Result<Texture> {
-        self.textures.get(&map).copied().ok_or_else(|| {
-            Error::usage(
-                format!("the listing names the map '{map}', which does not exist"),
-                "allocate it first",
-            )
-        })
-    }
-}
-
-impl Workspace for GlMachine<'_> {
-    fn allocate(&mut self, map: Map, format: Format) -> Result<()> {
-        self.allocate(map, format)
-    }
-
-    fn target_of(&mut self, target: Target, colors: &[Map], depth: Option<Map>) -> Result<()> {
-        self.target_of(target, colors, depth)
     }
 }
 
@@ -373,42 +200,26 @@ impl Drop for GlMachine<'_> {
         let Ok(_away) = self.context.enter() else {
             return;
         };
-        self.end_counting();
-        self.free_classic();
         let gl = self.context.glow();
-        // SAFETY: every object is the machine's own, and the context outlives the borrow.
-        unsafe {
-            self.textures
-                .values()
-                .for_each(|texture| gl.delete_texture(texture.raw));
-            self.storages
-                .values()
-                .for_each(|storage| storage.delete(gl));
-            self.framebuffers
-                .values()
-                .for_each(|framebuffer| gl.delete_framebuffer(*framebuffer));
-            self.programs
-                .values()
-                .flat_map(Linked::programs)
-                .for_each(|program| gl.delete_program(program.raw));
-            if let Some(scan) = &self.scan {
-                scan.delete(gl);
-            }
-            self.queries
-                .values()
-                .for_each(|query| gl.delete_query(*query));
-            gl.delete_sampler(self.shadow_sampler);
-            gl.delete_sampler(self.plain_sampler);
-            gl.delete_vertex_array(self.no_attributes);
-        }
+        self.queries.end_counting(gl);
+        self.queries.delete(gl);
+        self.classic.delete(gl);
+        self.framebuffers.delete(gl);
+        self.maps.delete(gl);
+        self.storages.delete(gl);
+        self.programs.delete(gl);
+        self.scan.delete(gl);
+        self.samplers.delete(gl);
+        // SAFETY: the array is the machine's own, and the context outlives the borrow.
+        unsafe { gl.delete_vertex_array(self.no_attributes) };
     }
 }
 
 impl std::fmt::Debug for GlMachine<'_> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_struct("GlMachine")
-            .field("size", &self.size)
-            .field("maps", &self.textures.keys())
+            .field("size", &self.size())
+            .field("maps", &self.maps.names().collect::<Vec<_>>())
             .finish()
     }
 }

@@ -6,6 +6,7 @@
 
 #![allow(unsafe_code)]
 
+mod bindings;
 mod capture;
 pub mod classic;
 mod constants;
@@ -18,10 +19,15 @@ mod host;
 mod interpreter;
 mod machine;
 mod making;
+mod maps;
 mod more;
 pub mod network;
 mod pixel_store;
 mod program;
+mod programs;
+mod queries;
+mod resources;
+mod samplers;
 mod scan;
 mod storage;
 mod texture;
@@ -30,6 +36,7 @@ mod uploading;
 mod volumes;
 mod window;
 
+pub use bindings::{BandParameters, LINKS, RECORDS};
 pub use capture::{Captured, CapturedFragment, Piece, capture, capture_in_pieces};
 pub use classic::{ClassicState, FixedFunction};
 pub use context::{Backend, Context, ContextOptions, Profile, suspect_variables};
@@ -39,7 +46,7 @@ pub use glsl::shaders;
 pub use host::Visit;
 pub use machine::{Counts, GlMachine};
 pub use storage::{Texels, largest_storage};
-pub use volumes::{MOST_VOLUMES, VolumeTextures};
+pub use volumes::MOST_VOLUMES;
 
 // A map's format is part of the vocabulary.
 pub use crate::steps::Format;

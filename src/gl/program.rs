@@ -2,12 +2,14 @@
 
 use glow::HasContext;
 
-use super::glsl::Source;
+use super::glsl::{Declared, Source, declared};
 use super::making::{Making, named};
-use super::volumes::Constants;
 use crate::error::{Error, Result};
 use crate::scene::Shading;
 use crate::steps::Shader;
+
+/// A name and a value, which a shader's source sees as a `#define`.
+pub(super) type Define = (&'static str, u32);
 
 /// A linked program. Deleted by its owner.
 #[derive(Debug)]
@@ -24,11 +26,10 @@ pub(super) struct Program {
 
 impl Program {
     /// Links files of `glsl/`, one vertex shader and fragment shaders that complete each other. The context is current.
-    /// Every file sees the constants as `#define`s.
     pub(super) fn link(
         making: &mut Making<'_>,
         files: &[&str],
-        constants: &[(&'static str, u32)],
+        defines: &[Define],
     ) -> Result<Self> {
         let raw = making.program()?;
         let gl = making.gl();
@@ -40,7 +41,7 @@ impl Program {
                     Some("comp") => glow::COMPUTE_SHADER,
                     _ => glow::FRAGMENT_SHADER,
                 };
-                let source = Source::load_with(file, constants)?;
+                let source = Source::load_with(file, defines)?;
                 let shader = named("shader", gl.create_shader(kind))?;
                 gl.shader_source(shader, &source.text);
                 gl.compile_shader(shader);
@@ -81,51 +82,40 @@ impl Program {
 /// The key of a program: its name and its defines.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(super) struct ProgramKey {
-    pub(super) shader: Shader,
-    pub(super) constants: Vec<(&'static str, u32)>,
-    /// The additional defines of slices, if it draws slices.
-    slices: Option<Constants>,
-    /// The near plane's distance, as the bits of a float, if depths are 1/w: `common/fragment_depth.glsl`.
-    inverse_w: Option<u32>,
+    shader: Shader,
+    declared: Declared,
+    defines: Vec<Define>,
+    /// If it draws slices, too, what their part is compiled with besides.
+    slices: Option<[Define; 2]>,
 }
 
 impl ProgramKey {
-    /// Only an A-buffer's and the ideal GPU's programs are compiled with constants; `more` come last. All that draw
-    /// surfaces draw slices, too, if there are any.
+    /// `defines` and `more`, which comes last, are for shaders that ask for them; `inverse_w` is the near plane's distance,
+    /// as the bits of a float, if depths are 1/w (`common/fragment_depth.glsl`). All that draw surfaces draw slices, too, if
+    /// there are any.
     pub(super) fn new(
         shader: Shader,
-        constants: &[(&'static str, u32)],
-        more: Option<(&'static str, u32)>,
-        slices: Option<Constants>,
+        defines: &[Define],
+        more: Option<Define>,
+        slices: Option<[Define; 2]>,
         inverse_w: Option<u32>,
-    ) -> Self {
-        let constants = if WITH_CONSTANTS
-            .iter()
-            .any(|folder| shader.0.starts_with(folder))
-        {
-            constants.iter().copied().chain(more).collect()
-        } else {
-            Vec::new()
-        };
-        let slices = slices.filter(|_| !ON_THE_SCREEN.contains(&shader.0));
-        Self {
+    ) -> Result<Self> {
+        let declared = declared(shader)?;
+        let asked_for = defines.iter().copied().chain(more);
+        let inverse_w = inverse_w.map(|near| ("INVERSE_W", near));
+        Ok(Self {
             shader,
-            constants,
-            slices,
-            inverse_w,
-        }
-    }
-
-    /// The defines of all of its files.
-    fn defines(&self) -> Vec<(&'static str, u32)> {
-        let inverse_w = self.inverse_w.map(|near| ("INVERSE_W", near));
-        self.constants.iter().copied().chain(inverse_w).collect()
+            declared,
+            defines: asked_for
+                .filter(|_| declared.takes_defines)
+                .chain(inverse_w)
+                .collect(),
+            slices: slices.filter(|_| !declared.draws_screen),
+        })
     }
 }
 
-const WITH_CONSTANTS: [&str; 2] = ["a_buffer/", "ideal/"];
-
-/// The programs of a shader's name.
+/// What a shader's name stands for.
 #[derive(Debug)]
 pub(super) enum Linked {
     /// A program that draws [`Objects::Screen`].
@@ -137,6 +127,7 @@ pub(super) enum Linked {
 /// A program for each kind of shading.
 #[derive(Debug)]
 pub(super) struct Surfaces {
+    is_classic: bool,
     unlit: Program,
     lit: Program,
     /// It is only linked if there are slices.
@@ -153,56 +144,42 @@ impl Surfaces {
     }
 }
 
-/// The shaders that draw [`Objects::Screen`]; all others draw surfaces.
-const ON_THE_SCREEN: [&str; 13] = [
-    "a_buffer/begin",
-    "a_buffer/resolve",
-    "a_buffer/resolve_segment",
-    "clip/next_bound",
-    "dual/left",
-    "ideal/begin",
-    "ideal/begin_as_printed",
-    "ideal/begin_tight",
-    "ideal/changed",
-    "layer",
-    "over",
-    "trap",
-    "under",
-];
-
 impl Linked {
     /// Links what the name stands for. The context is current.
     pub(super) fn new(gl: &glow::Context, key: &ProgramKey) -> Result<Self> {
-        let Shader(name) = key.shader;
-        let fragment = format!("{name}.frag");
-        let defines = key.defines();
-        if ON_THE_SCREEN.contains(&name) {
-            let mut making = Making::new(gl);
-            let files = ["screen.vert", &fragment];
-            let program = Program::link(&mut making, &files, &defines)?;
+        let Declared {
+            vertex,
+            draws_screen,
+            is_classic,
+            ..
+        } = key.declared;
+        let fragment = format!("{}.frag", key.shader.0);
+        let mut making = Making::new(gl);
+        if draws_screen {
+            let program = Program::link(&mut making, &[vertex, &fragment], &key.defines)?;
             making.finish();
             return Ok(Self::Screen(program));
         }
-        let vertex = match name.split_once('/') {
-            Some(("classic", _)) => "classic/vertex.vert",
-            Some(("invariance", _)) => "invariance/vertex.vert",
-            _ => "geometry.vert",
-        };
-        let mut making = Making::new(gl);
-        let mut with = |surface, constants: &[_]| {
-            Program::link(&mut making, &[vertex, &fragment, surface], constants)
+        let mut with = |surface, defines: &[_]| {
+            Program::link(&mut making, &[vertex, &fragment, surface], defines)
         };
         let surfaces = Surfaces {
-            unlit: with("surface/unlit.frag", &defines)?,
-            lit: with("surface/lit.frag", &defines)?,
+            is_classic,
+            unlit: with("surface/unlit.frag", &key.defines)?,
+            lit: with("surface/lit.frag", &key.defines)?,
             slice: key
                 .slices
                 .as_ref()
-                .map(|slices| with("surface/slice.frag", &[&defines[..], slices].concat()))
+                .map(|slices| with("surface/slice.frag", &[&key.defines[..], slices].concat()))
                 .transpose()?,
         };
         making.finish();
         Ok(Self::Surface(surfaces))
+    }
+
+    /// Whether it looks at what classic calls have set.
+    pub(super) fn is_classic(&self) -> bool {
+        matches!(self, Self::Surface(surfaces) if surfaces.is_classic)
     }
 
     /// Every program.

@@ -1,9 +1,10 @@
-//! Shader storage buffers by name, and the uniform block that tells shaders which band of the image is rendered.
+//! Shader storage buffers by name.
+
+use std::collections::HashMap;
 
 use glow::HasContext;
 
 use super::context::Context;
-use super::machine::GlMachine;
 use super::making::{Making, allocate, no_room};
 use crate::error::{Error, Result};
 use crate::steps::Storage;
@@ -22,18 +23,14 @@ pub enum Texels {
 /// A buffer and, for shaders that only read it, a buffer texture: on llvmpipe a texel is fetched several times as fast
 /// as four words of a storage buffer.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct StorageBuffer {
-    pub(super) raw: glow::Buffer,
+struct StorageBuffer {
+    raw: glow::Buffer,
     texture: Option<(Texels, glow::Texture)>,
     bytes: u64,
 }
 
 impl StorageBuffer {
-    pub(super) fn bytes(&self) -> u64 {
-        self.bytes
-    }
-
-    pub(super) fn delete(&self, gl: &glow::Context) {
+    fn delete(&self, gl: &glow::Context) {
         // SAFETY: the caller owns both and takes them out of its tables.
         unsafe {
             if let Some((_, texture)) = self.texture {
@@ -58,14 +55,19 @@ pub fn largest_storage(context: &Context, texels: Texels) -> u64 {
         .min(limit("GL_MAX_TEXTURE_BUFFER_SIZE") * texel)
 }
 
-impl GlMachine<'_> {
-    /// Makes a buffer of at least so many bytes, unless it exists. Its contents are undefined. Buffers do not shrink:
-    /// the bands of an image share one that is large enough for the largest band.
+/// The buffers of a machine.
+#[derive(Debug, Default)]
+pub(super) struct Storages(HashMap<Storage, StorageBuffer>);
+
+impl Storages {
+    /// Makes a buffer of at least so many bytes, unless there is one. Its contents are undefined. Buffers do not shrink: the
+    /// bands of an image take turns in one that is as large as the largest band needs.
     ///
     /// # Errors
     /// If the driver has no room.
-    pub fn allocate_storage(
+    pub(super) fn allocate(
         &mut self,
+        context: &Context,
         storage: Storage,
         bytes: u64,
         texels: Option<Texels>,
@@ -76,15 +78,15 @@ impl GlMachine<'_> {
             let read_as = there.texture.map(|(texels, _)| texels);
             there.bytes >= bytes && (texels.is_none() || texels == read_as)
         };
-        if self.storages.get(&storage).is_some_and(is_enough) {
+        if self.0.get(&storage).is_some_and(is_enough) {
             return Ok(());
         }
-        self.context.begin_making()?;
-        self.free_storage(storage);
+        context.begin_making()?;
+        self.free(context.glow(), storage);
         let what = format!("the {}", storage.0);
         let size = i32::try_from(bytes)
             .map_err(|_| no_room(&what, bytes, "glow addresses a buffer with 31 bits"))?;
-        let gl = self.context.glow();
+        let gl = context.glow();
         let mut making = Making::new(gl);
         let raw = making.buffer()?;
         // SAFETY: the context is current; the buffer gets its storage before anything uses it.
@@ -119,29 +121,32 @@ impl GlMachine<'_> {
             texture,
             bytes,
         };
-        self.storages.insert(storage, made);
+        self.0.insert(storage, made);
         Ok(())
     }
 
-    /// Deletes a buffer.
-    pub fn free_storage(&mut self, storage: Storage) {
-        if let Some(storage) = self.storages.remove(&storage) {
-            storage.delete(self.context.glow());
+    fn free(&mut self, gl: &glow::Context, storage: Storage) {
+        if let Some(storage) = self.0.remove(&storage) {
+            storage.delete(gl);
         }
     }
 
-    /// Binds a buffer's texels to a texture unit.
+    /// Binds a buffer's texels to a texture unit. The context is current, here and below.
     ///
     /// # Errors
     /// If there is no such buffer, or it has no texels.
-    pub fn bind_texels(&self, unit: u32, storage: Storage) -> Result<()> {
-        let (_, texture) = self.storage(storage)?.texture.ok_or_else(|| {
+    pub(super) fn bind_texels(
+        &self,
+        gl: &glow::Context,
+        unit: u32,
+        storage: Storage,
+    ) -> Result<()> {
+        let (_, texture) = self.get(storage)?.texture.ok_or_else(|| {
             Error::usage(
                 format!("the buffer '{}' has no texels", storage.0),
                 "allocate it with texels",
             )
         })?;
-        let gl = self.context.glow();
         // SAFETY: the context is current, and the texture is the machine's own.
         unsafe {
             gl.active_texture(glow::TEXTURE0 + unit);
@@ -151,104 +156,69 @@ impl GlMachine<'_> {
         Ok(())
     }
 
-    /// Sets every 32-bit word of a buffer to 0.
+    /// Binds a buffer as a storage block.
     ///
     /// # Errors
     /// If there is no such buffer.
-    pub fn clear_storage(&self, storage: Storage) -> Result<()> {
-        let storage = self.storage(storage)?;
-        let gl = self.context.glow();
-        // SAFETY: the buffer is the machine's own; R32UI and one word of zeros are a valid pair.
-        unsafe {
-            gl.bind_buffer(glow::SHADER_STORAGE_BUFFER, Some(storage.raw));
-            gl.buffer_sub_data_u8_slice(
-                glow::SHADER_STORAGE_BUFFER,
-                0,
-                &vec![0; storage.bytes as usize],
-            );
-        }
-        Ok(())
-    }
-
-    /// A buffer's words.
-    ///
-    /// # Errors
-    /// If there is no such buffer.
-    pub fn read_storage(&self, storage: Storage) -> Result<Vec<u32>> {
-        let storage = self.storage(storage)?;
-        let mut words = vec![0_u32; storage.bytes as usize / 4];
-        let gl = self.context.glow();
-        // SAFETY: shaders' writes are waited for, and the slice is not longer than the buffer.
-        unsafe {
-            gl.memory_barrier(glow::BUFFER_UPDATE_BARRIER_BIT);
-            gl.bind_buffer(glow::SHADER_STORAGE_BUFFER, Some(storage.raw));
-            gl.get_buffer_sub_data(
-                glow::SHADER_STORAGE_BUFFER,
-                0,
-                bytemuck::cast_slice_mut(&mut words),
-            );
-        }
-        Ok(words)
-    }
-
-    /// Fills a buffer's beginning with `words`.
-    ///
-    /// # Errors
-    /// If there is no such buffer, or it is shorter.
-    pub fn write_storage(&self, storage: Storage, words: &[u32]) -> Result<()> {
-        let there = self.storage(storage)?;
-        if there.bytes < words.len() as u64 * 4 {
-            return Err(Error::usage(
-                format!(
-                    "{} words do not fit into the buffer '{}'",
-                    words.len(),
-                    storage.0
-                ),
-                "allocate it larger",
-            ));
-        }
-        let gl = self.context.glow();
-        // SAFETY: the buffer is the machine's own and long enough.
-        unsafe {
-            gl.bind_buffer(glow::SHADER_STORAGE_BUFFER, Some(there.raw));
-            gl.buffer_sub_data_u8_slice(
-                glow::SHADER_STORAGE_BUFFER,
-                0,
-                bytemuck::cast_slice(words),
-            );
-        }
-        Ok(())
-    }
-
-    /// Sets the five numbers of the shaders' uniform block 0.
-    ///
-    /// # Errors
-    /// If the driver has no room.
-    pub fn set_parameters(&mut self, parameters: [u32; 5]) -> Result<()> {
-        const PARAMETERS: Storage = Storage("parameters");
-        // A block is as long as whole groups of four.
-        self.allocate_storage(PARAMETERS, 32, None)?;
-        self.write_storage(PARAMETERS, &parameters)?;
-        self.bind_uniforms(0, PARAMETERS)
+    pub(super) fn bind(&self, gl: &glow::Context, index: u32, storage: Storage) -> Result<()> {
+        self.bind_to(gl, glow::SHADER_STORAGE_BUFFER, index, storage)
     }
 
     /// Binds a buffer as a uniform block.
     ///
     /// # Errors
     /// If there is no such buffer.
-    pub(super) fn bind_uniforms(&self, index: u32, storage: Storage) -> Result<()> {
-        let raw = self.storage(storage)?.raw;
+    pub(super) fn bind_uniforms(
+        &self,
+        gl: &glow::Context,
+        index: u32,
+        storage: Storage,
+    ) -> Result<()> {
+        self.bind_to(gl, glow::UNIFORM_BUFFER, index, storage)
+    }
+
+    fn bind_to(&self, gl: &glow::Context, kind: u32, index: u32, storage: Storage) -> Result<()> {
+        let raw = self.get(storage)?.raw;
         // SAFETY: the context is current, and the buffer is the machine's own.
+        unsafe { gl.bind_buffer_base(kind, index, Some(raw)) };
+        Ok(())
+    }
+
+    /// Sets every byte of a buffer to 0.
+    ///
+    /// # Errors
+    /// If there is no such buffer.
+    pub(super) fn clear(&self, gl: &glow::Context, storage: Storage) -> Result<()> {
+        let bytes = self.get(storage)?.bytes as usize;
+        self.write(gl, storage, &vec![0; bytes])
+    }
+
+    /// Fills a buffer's beginning.
+    ///
+    /// # Errors
+    /// If there is no such buffer, or it is shorter.
+    pub(super) fn write(&self, gl: &glow::Context, storage: Storage, bytes: &[u8]) -> Result<()> {
+        let there = self.get(storage)?;
+        if there.bytes < bytes.len() as u64 {
+            return Err(Error::usage(
+                format!(
+                    "{} bytes do not fit into the buffer '{}'",
+                    bytes.len(),
+                    storage.0
+                ),
+                "allocate it larger",
+            ));
+        }
+        // SAFETY: the buffer is the machine's own and long enough.
         unsafe {
-            self.context
-                .glow()
-                .bind_buffer_base(glow::UNIFORM_BUFFER, index, Some(raw));
+            gl.bind_buffer(glow::SHADER_STORAGE_BUFFER, Some(there.raw));
+            gl.buffer_sub_data_u8_slice(glow::SHADER_STORAGE_BUFFER, 0, bytes);
         }
         Ok(())
     }
 
-    pub(super) fn storage(&self, storage: Storage) -> Result<StorageBuffer> {
-        self.storages.get(&storage).copied().ok_or_else(|| {
+    fn get(&self, storage: Storage) -> Result<StorageBuffer> {
+        self.0.get(&storage).copied().ok_or_else(|| {
             Error::usage(
                 format!(
                     "the listing names the buffer '{}', which does not exist",
@@ -257,5 +227,13 @@ impl GlMachine<'_> {
                 "allocate it first",
             )
         })
+    }
+
+    pub(super) fn bytes(&self) -> u64 {
+        self.0.values().map(|buffer| buffer.bytes).sum()
+    }
+
+    pub(super) fn delete(&mut self, gl: &glow::Context) {
+        self.0.drain().for_each(|(_, buffer)| buffer.delete(gl));
     }
 }

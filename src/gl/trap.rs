@@ -2,6 +2,7 @@
 
 use glow::HasContext;
 
+use super::bindings::COUNTER;
 use super::driver::{LOST_ATOMICS, Trap};
 use super::machine::GlMachine;
 use super::making::{Making, allocate};
@@ -42,7 +43,7 @@ impl GlMachine<'_> {
         let counter = making.buffer()?;
         // SAFETY: the context is current, and the buffer has its storage before the shader adds to it.
         unsafe {
-            gl.bind_buffer_base(glow::SHADER_STORAGE_BUFFER, 0, Some(counter));
+            gl.bind_buffer_base(glow::SHADER_STORAGE_BUFFER, COUNTER, Some(counter));
             allocate(gl, "the counter of invocations", 4, || {
                 gl.buffer_data_u8_slice(glow::SHADER_STORAGE_BUFFER, &[0; 4], glow::DYNAMIC_READ);
             })?;

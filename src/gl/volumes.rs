@@ -5,11 +5,12 @@ use std::borrow::Cow;
 use glam::{DMat3, DVec3};
 use glow::HasContext;
 
+use super::bindings::{EMPTY, FIRST_VOLUME, PLACES_BLOCK, TRANSFER};
 use super::context::Context;
-use super::machine::GlMachine;
 use super::making::{allocate, named, no_room};
 use super::pixel_store::PixelStore;
-use super::storage::Texels;
+use super::program::Define;
+use super::storage::{Storages, Texels};
 use crate::error::{Error, Result};
 use crate::scene::{Scene, TransferPoint, Volume};
 use crate::steps::Storage;
@@ -18,94 +19,76 @@ use crate::steps::Storage;
 /// units allow fewer.
 pub const MOST_VOLUMES: u32 = 32;
 
-/// The texture unit of the first volume. The units before it are for the fragment lists, the opaque depth and the
-/// transfer functions.
-const FIRST_UNIT: u32 = 7;
-const TRANSFER_UNIT: u32 = 6;
 const PLACES: Storage = Storage("volumes' places");
-const TRANSFER: Storage = Storage("transfer functions");
+const TRANSFER_FUNCTIONS: Storage = Storage("transfer functions");
 
-/// VOLUMES and POINTS, what shaders are compiled with.
-pub(super) type Constants = [(&'static str, u32); 2];
+/// The volumes of a machine, if its scene has any.
+#[derive(Default)]
+pub(super) struct Volumes<'c>(Option<VolumeTextures<'c>>);
 
 /// A 3D texture for each volume.
-pub struct VolumeTextures<'c> {
+struct VolumeTextures<'c> {
     context: &'c Context,
     textures: Vec<glow::Texture>,
     bytes: u64,
 }
 
-impl VolumeTextures<'_> {
-    pub(super) fn bytes(&self) -> u64 {
-        self.bytes
-    }
-}
-
-impl<'c> GlMachine<'c> {
-    /// Uploads the scene's volumes, and deletes the earlier ones. Returns the defines that shaders need, VOLUMES and
-    /// POINTS. Both are 0 without volumes.
+impl<'c> Volumes<'c> {
+    /// Uploads the scene's volumes, and lets go of those that were there. `spacing` is the distance from slice to slice, where
+    /// they are drawn as slices. Returns what shaders are compiled with for them: VOLUMES and POINTS, both 0 without any.
     ///
     /// # Errors
-    /// If there are more volumes than the ids have bits or the driver has texture units, or if it has too little
-    /// memory.
-    pub fn upload_volumes(&mut self, scene: &Scene) -> Result<Constants> {
-        self.upload(scene, 0.0)
-    }
-
-    /// Uploads the scene's volumes for meshes that are shaded as [`Shading::Slice`](crate::scene::Shading::Slice), which
-    /// are drawn from now on until [`free_every_map`](Self::free_every_map). `spacing` is the distance from slice to slice.
-    ///
-    /// # Errors
-    /// As [`upload_volumes`](Self::upload_volumes).
-    pub fn upload_slices(&mut self, scene: &Scene, spacing: f64) -> Result<()> {
-        self.slices = Some(self.upload(scene, spacing)?);
-        Ok(())
-    }
-
-    fn upload(&mut self, scene: &Scene, spacing: f64) -> Result<Constants> {
-        self.volumes = None;
+    /// There are more than the ids have bits or the driver has texture units for, or it has no room.
+    pub(super) fn upload(
+        &mut self,
+        context: &'c Context,
+        storages: &mut Storages,
+        scene: &Scene,
+        size: [u32; 2],
+        spacing: f64,
+    ) -> Result<[Define; 2]> {
+        self.0 = None;
         let count = scene.volumes.len() as u32;
         if count == 0 {
             return Ok([("VOLUMES", 0), ("POINTS", 0)]);
         }
-        self.expect_room_for(count)?;
+        expect_room_for(context, count)?;
         let most = scene.volumes.iter().map(|v| v.transfer.points().len());
         // One more than any has, to end at.
         let points = (most.max().unwrap_or(0) + 1).next_power_of_two() as u32;
         let mut textures = VolumeTextures {
-            context: self.context,
+            context,
             textures: Vec::new(),
             bytes: 0,
         };
         for volume in &scene.volumes {
             textures.add(volume)?;
         }
-        self.volumes = Some(textures);
-        let transfer: Vec<u32> = scene
+        self.0 = Some(textures);
+        let transfer: Vec<f32> = scene
             .volumes
             .iter()
             .flat_map(|volume| padded(volume.transfer.points(), points as usize))
-            .map(f32::to_bits)
             .collect();
-        self.allocate_storage(TRANSFER, transfer.len() as u64 * 4, Some(Texels::Rgba32F))?;
-        self.write_storage(TRANSFER, &transfer)?;
-        let places = places(scene, self.size, spacing);
-        let places: Vec<u32> = places.into_iter().map(f32::to_bits).collect();
-        self.allocate_storage(PLACES, places.len() as u64 * 4, None)?;
-        self.write_storage(PLACES, &places)?;
+        let mut give = |storage, numbers: &[f32], texels| {
+            let bytes = bytemuck::cast_slice(numbers);
+            storages.allocate(context, storage, bytes.len() as u64, texels)?;
+            storages.write(context.glow(), storage, bytes)
+        };
+        give(TRANSFER_FUNCTIONS, &transfer, Some(Texels::Rgba32F))?;
+        give(PLACES, &places(scene, size, spacing), None)?;
         Ok([("VOLUMES", count), ("POINTS", points)])
     }
 
-    /// Binds the volumes that [`upload_volumes`](Self::upload_volumes) has uploaded, if there are any.
+    /// Binds what was uploaded, if anything. The context is current.
     ///
     /// # Errors
-    /// If the driver has lost its objects.
-    pub fn bind_volumes(&self) -> Result<()> {
-        let Some(volumes) = &self.volumes else {
+    /// None but what the driver has lost.
+    pub(super) fn bind(&self, gl: &glow::Context, storages: &Storages) -> Result<()> {
+        let Some(volumes) = &self.0 else {
             return Ok(());
         };
-        let gl = self.context.glow();
-        for (unit, texture) in (FIRST_UNIT..).zip(&volumes.textures) {
+        for (unit, texture) in (FIRST_VOLUME..).zip(&volumes.textures) {
             // SAFETY: the context is current, the texture is alive, and there are so many units.
             unsafe {
                 gl.active_texture(glow::TEXTURE0 + unit);
@@ -113,32 +96,43 @@ impl<'c> GlMachine<'c> {
                 gl.active_texture(glow::TEXTURE0);
             }
         }
-        self.bind_texels(TRANSFER_UNIT, TRANSFER)?;
-        self.bind_uniforms(1, PLACES)
+        storages.bind_texels(gl, TRANSFER, TRANSFER_FUNCTIONS)?;
+        storages.bind_uniforms(gl, PLACES_BLOCK, PLACES)
     }
 
-    fn expect_room_for(&self, count: u32) -> Result<()> {
-        let remedy = "leave some volumes out, or render with -m exact, which takes any number";
-        if count > MOST_VOLUMES {
-            return Err(Error::usage(
-                format!(
-                    "the scene has {count} volumes, and a fragment's id has bits for {MOST_VOLUMES}"
-                ),
-                remedy,
-            ));
-        }
-        let units = self.context.driver().limit("GL_MAX_TEXTURE_IMAGE_UNITS");
-        let room = u32::try_from(units).unwrap_or(0).saturating_sub(FIRST_UNIT);
-        if count > room {
-            return Err(Error::Driver {
-                what: format!(
-                    "the scene has {count} volumes, and this driver has texture units for {room}"
-                ),
-                remedy: remedy.into(),
-            });
-        }
-        Ok(())
+    pub(super) fn bytes(&self) -> u64 {
+        self.0.as_ref().map_or(0, |volumes| volumes.bytes)
     }
+
+    /// Lets go of them.
+    pub(super) fn free(&mut self) {
+        self.0 = None;
+    }
+}
+
+fn expect_room_for(context: &Context, count: u32) -> Result<()> {
+    let remedy = "leave some volumes out, or render with -m exact, which takes any number";
+    if count > MOST_VOLUMES {
+        return Err(Error::usage(
+            format!(
+                "the scene has {count} volumes, and a fragment's id has bits for {MOST_VOLUMES}"
+            ),
+            remedy,
+        ));
+    }
+    let units = context.driver().limit("GL_MAX_TEXTURE_IMAGE_UNITS");
+    let room = u32::try_from(units)
+        .unwrap_or(0)
+        .saturating_sub(FIRST_VOLUME);
+    if count > room {
+        return Err(Error::Driver {
+            what: format!(
+                "the scene has {count} volumes, and this driver has texture units for {room}"
+            ),
+            remedy: remedy.into(),
+        });
+    }
+    Ok(())
 }
 
 impl VolumeTextures<'_> {
@@ -193,11 +187,7 @@ impl VolumeTextures<'_> {
     }
 }
 
-/// The value of an empty sample in `volume.glsl`. It is less than every value that a sample may have, so that shaders
-/// need no NaN.
-const EMPTY: f32 = -3e38;
-
-/// The samples in the form of the texture.
+/// The samples as the texture has them.
 fn texels(volume: &Volume) -> Cow<'_, [f32]> {
     if !volume.has_empty() {
         return Cow::Borrowed(volume.samples());

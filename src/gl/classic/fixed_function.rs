@@ -201,7 +201,9 @@ impl<'m, 'c> FixedFunction<'m, 'c> {
                     }
                 }
                 ClassicCall::CopyToRectangle { from, to } => {
-                    self.machine.copy_to_rectangle(from, to)?;
+                    let machine = &mut *self.machine;
+                    let (context, maps) = (machine.context, &machine.maps);
+                    machine.classic.copy_to_rectangle(context, maps, from, to)?;
                     self.machine
                         .context()
                         .glow()
@@ -224,8 +226,8 @@ impl<'m, 'c> FixedFunction<'m, 'c> {
 
     fn raw(&self, target: TextureTarget, texture: Map) -> Result<glow::Texture> {
         match target {
-            TextureTarget::Texture2D => Ok(self.machine.texture(texture)?.raw),
-            TextureTarget::Rectangle => self.machine.rectangle(texture),
+            TextureTarget::Texture2D => Ok(self.machine.maps.get(texture)?.raw),
+            TextureTarget::Rectangle => self.machine.classic.rectangle(texture),
         }
     }
 

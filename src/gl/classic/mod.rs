@@ -11,22 +11,6 @@ mod emulation;
 mod fixed_function;
 mod state;
 
+pub(super) use emulation::{Around, Classic};
 pub use fixed_function::FixedFunction;
 pub use state::{ClassicState, TextureUnit, UNITS};
-
-use std::collections::HashMap;
-
-use super::texture::Texture;
-use crate::steps::{Format, Map};
-
-/// The objects and the state of classic calls.
-#[derive(Debug, Default)]
-pub(super) struct Classic {
-    /// `None` before the first classic call of a frame.
-    pub(super) state: Option<ClassicState>,
-    /// Rectangle textures. They have a table of their own, because nothing draws into them.
-    pub(super) rectangles: HashMap<Map, (glow::Texture, Format)>,
-    /// One sampler with compare mode for each unit.
-    samplers: Vec<glow::Sampler>,
-    hilo: Option<Texture>,
-}

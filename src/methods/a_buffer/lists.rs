@@ -5,7 +5,7 @@ use super::bands::Band;
 use super::options::{Fill, Manager};
 use super::{ABuffer, paper};
 use crate::error::Result;
-use crate::gl::{GlMachine, Texels};
+use crate::gl::{BandParameters, GlMachine, LINKS, RECORDS, Texels};
 use crate::papers::stage;
 use crate::steps::Storage;
 
@@ -27,10 +27,10 @@ impl ABuffer {
             machine.allocate_storage(storage, 16, None)?;
         }
         machine.allocate_storage(paper::RECORDS, bytes, Some(Texels::Rgba32Ui))?;
-        machine.bind_texels(3, paper::RECORDS)?;
+        machine.bind_texels(RECORDS, paper::RECORDS)?;
         if options.manager == Manager::Ppll {
             machine.allocate_storage(paper::NEXT, records * 4, Some(Texels::R32Ui))?;
-            machine.bind_texels(4, paper::NEXT)?;
+            machine.bind_texels(LINKS, paper::NEXT)?;
         }
         if options.has_offsets() {
             machine.prefix_scan(stage::COMPLEXITY, paper::OFFSETS)?;
@@ -49,14 +49,14 @@ impl ABuffer {
         let options = &self.options;
         let records = band.records(options.manager, width) as u32;
         machine.set_band(Some([band.first_row, band.rows]));
-        machine.set_parameters([
-            band.first_row,
+        machine.set_parameters(BandParameters {
+            first_row: band.first_row,
             width,
-            band.layers,
-            records,
-            // All offsets may have wrapped around, but their differences are right.
-            fragments_before as u32,
-        ])?;
+            layers: band.layers,
+            capacity: records,
+            // All offsets may have wrapped around; their differences are right all the same.
+            before: fragments_before as u32,
+        })?;
         if options.manager == Manager::Ppll && options.fill == Fill::Atomics {
             machine.clear_storage(paper::POOL)?;
         }

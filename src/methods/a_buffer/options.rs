@@ -1,6 +1,8 @@
 //! Options of A-buffers.
 
-/// The manager of the fragment lists' global memory (section 4, figure 4).
+pub use crate::gl::network::LARGEST_NETWORK;
+
+/// How the global memory of the fragment lists is managed (section 4, figure 4).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Manager {
     /// Fixed Fragment Buffer: every pixel has room for as many records as the deepest pixel needs.
@@ -26,11 +28,7 @@ pub enum ArraySort {
     Insertion,
 }
 
-/// The largest array that a network sorts. Drivers take too long to compile larger networks: llvmpipe takes two seconds
-/// for 32 elements and six for 64.
-pub const LARGEST_NETWORK: u32 = 128;
-
-/// The way in which fragments find their places in the lists.
+/// How fragments find their places in the lists.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Fill {
     /// Framebuffer fetch where the driver has it, otherwise atomics.
