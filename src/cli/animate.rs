@@ -156,8 +156,8 @@ impl Animate {
                     // The first frame compiles the shaders, which does not count as its time.
                     renderer.render(&scene, method)?;
                 }
-                let frame = renderer.render(&scene, method)?;
-                let complexity = renderer.complexity(&scene, Default::default())?;
+                let (frame, complexity) =
+                    renderer.render_and_count(&scene, method, Default::default())?;
                 let row = FrameRow::new(number, &frame.stats, &complexity);
                 folder.add(number, &frame.image, encoding, &row.csv())?;
                 rendered += 1;

@@ -184,22 +184,29 @@ impl<'c> Geometry<'c> {
     }
 
     fn empty(context: &'c Context, scene: &Scene, size: [u32; 2]) -> Self {
-        let camera = &scene.camera;
-        let origin = origin_of(scene);
-        let view = camera.view() * DMat4::from_translation(origin);
-        let projection = camera.projection(size[0], size[1]);
-        let view_projection: DMat4 = projection * view;
-        Self {
+        let mut geometry = Self {
             context,
             meshes: Vec::with_capacity(scene.meshes.len()),
             draws: Vec::new(),
-            origin,
-            view_projection: view_projection.as_mat4(),
-            view,
-            projection,
-            eye: (camera.eye - origin).as_vec3(),
-            window: window_of_transparent(scene, projection * camera.view(), size),
-        }
+            origin: origin_of(scene),
+            view_projection: Mat4::IDENTITY,
+            view: DMat4::IDENTITY,
+            projection: DMat4::IDENTITY,
+            eye: Vec3::ZERO,
+            window: [0; 4],
+        };
+        geometry.look(scene, size);
+        geometry
+    }
+
+    /// Has the scene that was uploaded seen by the camera that it has now.
+    pub(super) fn look(&mut self, scene: &Scene, size: [u32; 2]) {
+        let camera = &scene.camera;
+        self.view = camera.view() * DMat4::from_translation(self.origin);
+        self.projection = camera.projection(size[0], size[1]);
+        self.view_projection = (self.projection * self.view).as_mat4();
+        self.eye = (camera.eye - self.origin).as_vec3();
+        self.window = window_of_transparent(scene, self.projection * camera.view(), size);
     }
 
     /// # Errors

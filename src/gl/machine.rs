@@ -18,6 +18,7 @@ use super::scan::Scan;
 use super::storage::Storages;
 use super::volumes::Volumes;
 use crate::error::{Error, Result};
+use crate::scene::Scene;
 
 /// Runs listings on OpenGL.
 ///
@@ -103,9 +104,16 @@ impl<'c> GlMachine<'c> {
         self.geometry = Some(geometry);
     }
 
-    /// Sets GL's initial state, as a fresh context has it, a viewport of the machine's size, and every count to 0.
-    /// Listings start from there. The state before is lost, unless a [`Visit`](super::Visit) of the context is going
-    /// on.
+    /// Draws the scene that was uploaded as the camera sees it that it has now; its meshes and volumes are the same.
+    pub fn look(&mut self, scene: &Scene) {
+        let size = self.size();
+        if let Some(geometry) = &mut self.geometry {
+            geometry.look(scene, size);
+        }
+    }
+
+    /// GL's initial state, as a fresh context has it, a viewport of the machine's size, and every count at 0. Listings
+    /// take it from there. What the state was before is lost, unless a [`Visit`](super::Visit) of the context is going on.
     pub fn begin_frame(&mut self) {
         let gl = self.context.glow();
         self.queries.end_counting(gl);

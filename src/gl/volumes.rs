@@ -12,7 +12,7 @@ use super::pixel_store::PixelStore;
 use super::program::Define;
 use super::storage::{Storages, Texels};
 use crate::error::{Error, Result};
-use crate::scene::{Scene, TransferPoint, Volume};
+use crate::scene::{Axes, Scene, TransferPoint, Volume};
 use crate::steps::Storage;
 
 /// The most volumes: a fragment's id and the resolve's occupancy have bits for so many. Drivers with fewer texture
@@ -219,9 +219,7 @@ fn places(scene: &Scene, [width, height]: [u32; 2], spacing: f64) -> Vec<f32> {
     let [width, height] = [width, height].map(f64::from);
     let half = (camera.fov.to_radians() / 2.0).tan();
     let [half_width, half_height] = [half * width / height, half];
-    let forward = (camera.target - camera.eye).normalize();
-    let right = forward.cross(camera.up).normalize();
-    let up = right.cross(forward);
+    let Axes { right, up, forward } = camera.axes();
     let to_borders = DMat3::from_cols(right * half_width, up * half_height, forward);
     let mut block = vec![
         camera.near,

@@ -10,7 +10,13 @@ use crate::steps::Reason;
 
 /// A method at work on one scene.
 pub trait Algorithm {
-    /// Makes the maps and framebuffers that every frame needs. This is not part of a frame's time.
+    /// In which order the scene's triangles are uploaded and drawn. It is asked for once, before the upload; no frame's time
+    /// contains it.
+    fn order(&mut self, _: &Scene) -> DrawOrder {
+        DrawOrder::Submission
+    }
+
+    /// Gets what every frame needs: maps, framebuffers. Not part of a frame's time.
     ///
     /// # Errors
     /// If the driver fails, or an option is out of its range.
@@ -32,7 +38,16 @@ pub trait Algorithm {
     }
 }
 
-/// The renderer's settings for every method.
+/// In which order triangles are uploaded and drawn.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum DrawOrder {
+    /// As the scene has them.
+    Submission,
+    /// Each triangle as mesh and number.
+    Sorted(Vec<[u32; 2]>),
+}
+
+/// How a renderer draws, whatever the method.
 #[derive(Clone, Copy, Debug)]
 #[non_exhaustive]
 pub struct Setup {

@@ -7,7 +7,7 @@
 //! reversed input. So triangles are first sorted roughly ([`Sorting`]). Of surfaces at the same depth, the one that is
 //! submitted first *after sorting* lies in front.
 
-use super::algorithm::{Algorithm, Composited, Drawn, Setup};
+use super::algorithm::{Algorithm, Composited, DrawOrder, Drawn, Setup};
 use super::allocate_maps::allocate_maps;
 use super::batches::{Batch, batches, begin_batch};
 use super::choice::{AS_PRINTED, Choice, Setter, Takes, number, set};
@@ -168,15 +168,18 @@ impl CoherentLayerPeeling {
 }
 
 impl Algorithm for CoherentLayerPeeling {
-    fn prepare(&mut self, machine: &mut GlMachine<'_>, scene: &Scene) -> Result<()> {
+    fn order(&mut self, scene: &Scene) -> DrawOrder {
+        self.order = self.options.sorting.order(scene);
+        DrawOrder::Sorted(self.order.clone())
+    }
+
+    fn prepare(&mut self, machine: &mut GlMachine<'_>, _: &Scene) -> Result<()> {
         if !self.depth.has_stencil() {
             return Err(Error::usage(
                 "coherent layer peeling counts in the stencil buffer, and this depth format has none",
                 "choose a depth format with a stencil",
             ));
         }
-        self.order = self.options.sorting.order(scene);
-        self.submit(machine, scene, &self.order)?;
         self.peeled.prepare(machine)?;
         let resources = match self.options.variant {
             Variant::A => coherent::RESOURCES_A,

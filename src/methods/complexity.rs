@@ -1,8 +1,10 @@
 //! Depth complexity: the number of fragments of each pixel, and its histogram (Lindholm et al. 2015, section 3.1).
 
 use super::a_buffer::expect_stencil;
+use super::algorithm::DrawOrder;
 use super::proxies::proxies;
-use super::renderer::Renderer;
+use super::renderer::{Frame, Renderer};
+use super::technique::Technique;
 use crate::error::Result;
 use crate::gl::Format;
 use crate::papers::lindholm_2015 as paper;
@@ -109,7 +111,37 @@ impl Renderer<'_> {
     /// If the driver fails.
     pub fn complexity(&mut self, scene: &Scene, by: CountBy) -> Result<Complexity> {
         let _visit = self.machine.context().visit()?;
-        self.set_up(scene)?;
+        self.set_up(scene, &DrawOrder::Submission)?;
+        self.count(scene, by)
+    }
+
+    /// Renders a frame, and counts every pixel's transparent fragments: what [`render`](Self::render) and
+    /// [`complexity`](Self::complexity) answer, but the scene is uploaded only once.
+    ///
+    /// # Errors
+    /// What the method or the driver cannot do.
+    pub fn render_and_count(
+        &mut self,
+        scene: &Scene,
+        method: &dyn Technique,
+        by: CountBy,
+    ) -> Result<(Frame, Complexity)> {
+        let frame = self.render(scene, method)?;
+        // What was drawn as slices is counted as volumes.
+        if frame.stats.slices.is_some() {
+            let complexity = self.complexity(scene, by)?;
+            return Ok((frame, complexity));
+        }
+        let _visit = self.machine.context().visit()?;
+        // The frame's planes may be others than the camera's own.
+        self.machine.look(scene);
+        self.allocate_stage()?;
+        let complexity = self.count(scene, by)?;
+        Ok((frame, complexity))
+    }
+
+    /// The scene is uploaded.
+    fn count(&mut self, scene: &Scene, by: CountBy) -> Result<Complexity> {
         self.begin(scene)?;
         let machine = &mut self.machine;
         run(&stage::OPAQUE_FIRST, &[], Variables::new(), machine)?;

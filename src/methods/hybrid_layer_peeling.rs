@@ -8,7 +8,7 @@
 //! slab. If a surface is in a slab, or a ray enters or leaves a volume there, up to half of the slab is on the wrong
 //! side. So the error of the image falls with the number of slices.
 
-use super::algorithm::{Algorithm, Drawn, Setup};
+use super::algorithm::{Algorithm, DrawOrder, Drawn, Setup};
 use super::allocate_maps::allocate_maps;
 use super::choice::{AS_PRINTED, Setter, set};
 use super::entry::{EXACT_BUT_NOT_SLICES, Entry, Memory, Ties, Volumes};
@@ -16,7 +16,7 @@ use super::peeled::{Peeled, peeled};
 use super::sorting::sorted_meshes_front_to_back;
 use super::technique::{Published, Technique};
 use crate::error::Result;
-use crate::gl::{Format, Geometry, GlMachine};
+use crate::gl::{Format, GlMachine};
 use crate::papers::carr_2008::hybrid;
 use crate::scene::Scene;
 use crate::steps::run;
@@ -35,10 +35,11 @@ struct HybridLayerPeeling {
 }
 
 impl Algorithm for HybridLayerPeeling {
-    fn prepare(&mut self, machine: &mut GlMachine<'_>, scene: &Scene) -> Result<()> {
-        let order = sorted_meshes_front_to_back(scene);
-        let geometry = Geometry::upload_in_order(machine.context(), scene, machine.size(), &order)?;
-        machine.set_geometry(geometry);
+    fn order(&mut self, scene: &Scene) -> DrawOrder {
+        DrawOrder::Sorted(sorted_meshes_front_to_back(scene))
+    }
+
+    fn prepare(&mut self, machine: &mut GlMachine<'_>, _: &Scene) -> Result<()> {
         self.peeled.prepare(machine)?;
         allocate_maps(machine, &hybrid::RESOURCES, self.color, self.depth)
     }

@@ -4,7 +4,7 @@
 //! `GL_EXT_shader_framebuffer_fetch` (Mesa's llvmpipe) have one. Drivers with `GL_ARB_fragment_shader_interlock`
 //! (NVIDIA's, Intel's) have one by images. The paper's pseudocode itself runs on the emulated pixel.
 
-use super::algorithm::{Algorithm, Composited, Drawn, Setup};
+use super::algorithm::{Algorithm, Composited, DrawOrder, Drawn, Setup};
 use super::allocate_maps::allocate_maps;
 use super::choice::{AS_PRINTED, Setter, set, word};
 use super::coherent_layer_peeling::{IMPROVE, one_of_both};
@@ -13,7 +13,7 @@ use super::peeled::{Peeled, peeled};
 use super::sorting::{SORT, Sorting};
 use super::technique::{Published, Technique};
 use crate::error::{Error, Result};
-use crate::gl::{Geometry, GlMachine};
+use crate::gl::GlMachine;
 use crate::papers::carr_2008::ideal;
 use crate::scene::Scene;
 use crate::steps::{Format, Resources, run};
@@ -77,11 +77,12 @@ impl IdealCoherentLayerPeeling {
 }
 
 impl Algorithm for IdealCoherentLayerPeeling {
-    fn prepare(&mut self, machine: &mut GlMachine<'_>, scene: &Scene) -> Result<()> {
+    fn order(&mut self, scene: &Scene) -> DrawOrder {
+        DrawOrder::Sorted(self.options.sorting.order(scene))
+    }
+
+    fn prepare(&mut self, machine: &mut GlMachine<'_>, _: &Scene) -> Result<()> {
         self.by_images = self.by_images(machine)?;
-        let order = self.options.sorting.order(scene);
-        let geometry = Geometry::upload_in_order(machine.context(), scene, machine.size(), &order)?;
-        machine.set_geometry(geometry);
         self.peeled.prepare(machine)?;
         machine.set_constants(if self.by_images {
             &[("IMAGES", 1)]

@@ -63,7 +63,7 @@ mod technique;
 #[cfg(test)]
 mod volume_controls;
 
-pub use algorithm::{Algorithm, Composited, Drawn, Setup};
+pub use algorithm::{Algorithm, Composited, DrawOrder, Drawn, Setup};
 pub use allocate_maps::allocate_maps;
 pub use batches::begin_batch;
 pub use choice::{Choice, Takes};

@@ -1,15 +1,18 @@
 //! The painter's algorithm: triangles sorted by their centroids, farthest first, then blended in that order.
 //!
-//! It is right if no two triangles intersect or overlap in a cycle, and if the triangle with the nearer centroid is the
-//! nearer one (Carr et al. 2008, section 1: an object level approach).
+//! Right where no two triangles intersect or overlap in a cycle, and where the nearer centroid is the nearer triangle
+//! (Carr et al. 2008, section 1: an object level approach).
+//!
+//! Triangles are sorted up front, for one view, as those of coherent layer peeling are; a frame's time contains neither the
+//! sort nor the upload.
 
-use super::algorithm::{Algorithm, Drawn, Setup};
+use super::algorithm::{Algorithm, DrawOrder, Drawn, Setup};
 use super::blend::BLEND_IN_ORDER;
 use super::entry::{Entry, Memory, Ties, Volumes};
 use super::sorting::centroid_depth;
 use super::technique::{Published, Technique};
 use crate::error::Result;
-use crate::gl::{Geometry, GlMachine};
+use crate::gl::GlMachine;
 use crate::scene::Scene;
 use crate::steps::{Variables, run};
 
@@ -18,19 +21,15 @@ use crate::steps::{Variables, run};
 pub struct Painter;
 
 impl Algorithm for Painter {
+    fn order(&mut self, scene: &Scene) -> DrawOrder {
+        DrawOrder::Sorted(back_to_front(scene))
+    }
+
     fn prepare(&mut self, _: &mut GlMachine<'_>, _: &Scene) -> Result<()> {
         Ok(())
     }
 
-    /// Sorting depends on the view, so it is part of the frame.
-    fn draw(&mut self, machine: &mut GlMachine<'_>, scene: &Scene) -> Result<Drawn> {
-        let order = back_to_front(scene);
-        machine.set_geometry(Geometry::upload_in_order(
-            machine.context(),
-            scene,
-            machine.size(),
-            &order,
-        )?);
+    fn draw(&mut self, machine: &mut GlMachine<'_>, _: &Scene) -> Result<Drawn> {
         run(&BLEND_IN_ORDER, &[], Variables::new(), machine)?;
         Ok(Drawn {
             iterations: 1,

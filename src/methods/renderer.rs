@@ -4,7 +4,7 @@
 use std::borrow::Cow;
 use std::time::{Duration, Instant};
 
-use super::algorithm::{Algorithm, Composited, Drawn, Setup};
+use super::algorithm::{Algorithm, Composited, DrawOrder, Drawn, Setup};
 use super::allocate_maps::allocate_maps;
 use super::hanging::Hanging;
 use super::proxies::proxies;
@@ -71,7 +71,9 @@ struct Shown<'s> {
     scene: Cow<'s, Scene>,
     /// How many slices to draw the volumes as, or `None` if the method casts rays or there are no volumes.
     slices: Option<u32>,
-    /// The scene's camera as it was given. It may be drawn with other planes.
+    /// The scene with the volumes that the slices stand for, and the distance from slice to slice.
+    sliced: Option<(Cow<'s, Scene>, f64)>,
+    /// The scene's camera as it was given, whatever planes it is drawn with.
     given: Camera,
 }
 
@@ -153,7 +155,7 @@ impl<'c> Renderer<'c> {
     /// If the method or the driver fails.
     pub fn render(&mut self, scene: &Scene, method: &dyn Technique) -> Result<Frame> {
         let _visit = self.machine.context().visit()?;
-        let shown = self.set_up_for(scene, method)?;
+        let shown = self.shown(scene, method)?;
         let scene = &*shown.scene;
         let mut algorithm = self.prepare(&shown, method)?;
         let (mut drawn, ms) = self.draw(scene, algorithm.as_mut())?;
@@ -174,7 +176,7 @@ impl<'c> Renderer<'c> {
         frames: usize,
     ) -> Result<Frame> {
         let _visit = self.machine.context().visit()?;
-        let shown = self.set_up_for(scene, method)?;
+        let shown = self.shown(scene, method)?;
         let scene = &*shown.scene;
         let mut algorithm = self.prepare(&shown, method)?;
         self.draw(scene, algorithm.as_mut())?;
@@ -202,40 +204,43 @@ impl<'c> Renderer<'c> {
     }
 
     /// Makes the image and the opaque depth, and uploads the scene.
-    pub(super) fn set_up(&mut self, scene: &Scene) -> Result<()> {
+    pub(super) fn set_up(&mut self, scene: &Scene, order: &DrawOrder) -> Result<()> {
+        self.machine.free_every_map();
+        self.allocate_stage()?;
         let machine = &mut self.machine;
-        machine.free_every_map();
-        allocate_maps(machine, &[&stage::RESOURCES], self.color, self.depth)?;
-        machine.set_geometry(Geometry::upload(machine.context(), scene, machine.size())?);
+        let (context, size) = (machine.context(), machine.size());
+        machine.set_geometry(match order {
+            DrawOrder::Submission => Geometry::upload(context, scene, size)?,
+            DrawOrder::Sorted(order) => Geometry::upload_in_order(context, scene, size, order)?,
+        });
         Ok(())
     }
 
-    /// Uploads the scene as the method draws it, and returns that scene. It has slices instead of volumes if the method
-    /// does not cast rays.
-    fn set_up_for<'s>(&mut self, scene: &'s Scene, method: &dyn Technique) -> Result<Shown<'s>> {
+    /// Makes the image and the opaque depth, unless they are there.
+    pub(super) fn allocate_stage(&mut self) -> Result<()> {
+        let machine = &mut self.machine;
+        allocate_maps(machine, &[&stage::RESOURCES], self.color, self.depth)
+    }
+
+    /// The scene as the method draws it: with slices instead of volumes, if it does not cast rays.
+    fn shown<'s>(&self, scene: &'s Scene, method: &dyn Technique) -> Result<Shown<'s>> {
         let slices = slicing::slices(scene, method.entry(), self.slices)?;
         if self.inverse_w {
             inverse_w::check(method, self.depth)?;
         }
         let given = scene.camera;
         let scene = self.with_planes(scene);
-        let scene = match slices {
-            None => {
-                self.set_up(&scene)?;
-                scene
-            }
+        let (scene, sliced) = match slices {
+            None => (scene, None),
             Some(count) => {
                 let stack = scene.as_slices(count);
-                self.set_up(&stack.scene)?;
-                self.machine.upload_slices(&scene, stack.spacing)?;
-                Cow::Owned(stack.scene)
+                (Cow::Owned(stack.scene), Some((scene, stack.spacing)))
             }
         };
-        let near = scene.camera.near as f32;
-        self.machine.set_inverse_w(self.inverse_w.then_some(near));
         Ok(Shown {
             scene,
             slices,
+            sliced,
             given,
         })
     }
@@ -255,16 +260,22 @@ impl<'c> Renderer<'c> {
         })
     }
 
-    /// The scene is set up.
+    /// Sets the method up for the scene, which is uploaded once, in the order in which the method draws it.
     fn prepare(&mut self, shown: &Shown<'_>, method: &dyn Technique) -> Result<Box<dyn Algorithm>> {
-        let machine = &mut self.machine;
         let mut algorithm = method.algorithm(&Setup {
             color: self.color,
             depth: self.depth,
             counts_costs: self.counts_costs,
             given: shown.given,
         });
-        algorithm.prepare(machine, &shown.scene)?;
+        let order = algorithm.order(&shown.scene);
+        self.set_up(&shown.scene, &order)?;
+        if let Some((volumes, spacing)) = &shown.sliced {
+            self.machine.upload_slices(volumes, *spacing)?;
+        }
+        let near = shown.scene.camera.near as f32;
+        self.machine.set_inverse_w(self.inverse_w.then_some(near));
+        algorithm.prepare(&mut self.machine, &shown.scene)?;
         Ok(algorithm)
     }
 

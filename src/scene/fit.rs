@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use super::axes::Axes;
 use super::bounds::Bounds;
 use super::camera::Camera;
 
@@ -144,29 +145,6 @@ fn padding(nearest: f64, farthest: f64) -> f64 {
     MARGIN * (farthest - nearest) + MARGIN * farthest.abs()
 }
 
-/// The axes of a view, in world space.
-struct Axes {
-    right: DVec3,
-    up: DVec3,
-    /// The direction from the target to the eye.
-    back: DVec3,
-}
-
-impl Axes {
-    fn of(direction: DVec3, up: DVec3) -> Self {
-        let back = -direction.normalize_or(DVec3::NEG_Z);
-        let right = up
-            .cross(back)
-            .try_normalize()
-            .unwrap_or_else(|| back.any_orthonormal_vector());
-        Self {
-            right,
-            up: back.cross(right),
-            back,
-        }
-    }
-}
-
 /// The direction of a three-quarter view: from the front, a little from the right, a little from above.
 fn fitted_eye(bounds: &Bounds, target: DVec3, up: DVec3, fov: f64, aspect: f64) -> DVec3 {
     let up = up.normalize_or(DVec3::Y);
@@ -179,7 +157,7 @@ fn fitted_eye(bounds: &Bounds, target: DVec3, up: DVec3, fov: f64, aspect: f64) 
     let needed = bounds.corners().map(|corner| {
         let seen = corner - target;
         let half = (seen.dot(axes.right).abs() / aspect).max(seen.dot(axes.up).abs());
-        seen.dot(axes.back) + half / tangent
+        half / tangent - seen.dot(axes.forward)
     });
     let distance = needed.into_iter().fold(0.0, f64::max);
     // A single point has no size. The second term keeps the eye away from the target where 1 is lost in rounding.
@@ -188,13 +166,13 @@ fn fitted_eye(bounds: &Bounds, target: DVec3, up: DVec3, fov: f64, aspect: f64) 
     } else {
         1.0_f64.max(target.abs().max_element() * 1e-6)
     };
-    target + axes.back * distance
+    target - axes.forward * distance
 }
 
 fn fitted_fov(bounds: &Bounds, axes: &Axes, eye: DVec3, aspect: f64) -> f64 {
     let tangents = bounds.corners().map(|corner| {
         let seen = corner - eye;
-        let depth = -seen.dot(axes.back);
+        let depth = seen.dot(axes.forward);
         let half = (seen.dot(axes.right).abs() / aspect).max(seen.dot(axes.up).abs());
         if depth > 0.0 {
             half / depth

@@ -6,6 +6,7 @@
 
 #[cfg(feature = "formats")]
 mod animation;
+mod axes;
 mod bounds;
 mod camera;
 mod chance;
@@ -31,6 +32,7 @@ mod volume;
 
 #[cfg(feature = "formats")]
 pub use animation::Animation;
+pub use axes::Axes;
 pub use bounds::Bounds;
 pub use camera::Camera;
 pub use contents::Scene;

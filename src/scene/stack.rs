@@ -7,7 +7,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::{Camera, Mesh, Scene, Shading, Vertex, Volume};
+use super::{Axes, Camera, Mesh, Scene, Shading, Vertex, Volume};
 use crate::fragment::Rgba;
 
 /// A scene whose volumes were replaced by slices.
@@ -80,20 +80,14 @@ impl Scene {
 /// The eye and the view's axes.
 struct View {
     eye: DVec3,
-    right: DVec3,
-    up: DVec3,
-    forward: DVec3,
+    axes: Axes,
 }
 
 impl View {
     fn of(camera: &Camera) -> Self {
-        let forward = (camera.target - camera.eye).normalize();
-        let right = forward.cross(camera.up).normalize();
         Self {
             eye: camera.eye,
-            right,
-            up: right.cross(forward),
-            forward,
+            axes: camera.axes(),
         }
     }
 
@@ -102,15 +96,16 @@ impl View {
         volume.corners().map(|corner| {
             let from_eye = corner - self.eye;
             DVec3::new(
-                from_eye.dot(self.right),
-                from_eye.dot(self.up),
-                from_eye.dot(self.forward),
+                from_eye.dot(self.axes.right),
+                from_eye.dot(self.axes.up),
+                from_eye.dot(self.axes.forward),
             )
         })
     }
 
     fn world(&self, point: DVec2, distance: f64) -> DVec3 {
-        let from_eye = self.right * point.x + self.up * point.y + self.forward * distance;
+        let from_eye =
+            self.axes.right * point.x + self.axes.up * point.y + self.axes.forward * distance;
         self.eye + from_eye
     }
 }
@@ -159,7 +154,7 @@ fn add(mesh: &mut Mesh, view: &View, polygon: &[DVec2], distance: f64) {
     let first = mesh.vertices.len() as u32;
     mesh.vertices.extend(polygon.iter().map(|&point| Vertex {
         position: view.world(point, distance),
-        normal: -view.forward.as_vec3(),
+        normal: -view.axes.forward.as_vec3(),
         color: Rgba::default(),
     }));
     let fan = (2..polygon.len() as u32).map(|i| [first, first + i - 1, first + i]);
