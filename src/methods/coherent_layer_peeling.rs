@@ -13,7 +13,7 @@ use super::batches::{Batch, batches, begin_batch};
 use super::choice::{AS_PRINTED, Choice, Setter, Takes, number, set};
 use super::entry::{EXACT_BUT_NOT_SLICES, Entry, Memory, Ties, Volumes};
 use super::expect_known::expect_known;
-use super::peeled::{Peeled, peeled};
+use super::loop_guard::{LoopGuard, peeled};
 use super::sorting::{SORT, Sorting};
 use super::technique::{Published, Technique};
 use crate::error::{Error, Result};
@@ -66,7 +66,7 @@ impl From<Variant> for CoherentOptions {
 
 struct CoherentLayerPeeling {
     options: CoherentOptions,
-    peeled: Peeled,
+    peeled: LoopGuard,
     color: Format,
     depth: Format,
     order: Vec<[u32; 2]>,
@@ -89,7 +89,7 @@ const fn amended(steps: &'static [crate::steps::Step]) -> Listing {
 
 impl CoherentLayerPeeling {
     fn new(options: CoherentOptions, setup: &Setup) -> Self {
-        let peeled = Peeled::new(options.as_printed);
+        let peeled = LoopGuard::new(options.as_printed);
         Self {
             options,
             peeled: match options.amendments {

@@ -12,7 +12,7 @@ use super::algorithm::{Algorithm, DrawOrder, Drawn, Setup};
 use super::allocate_maps::allocate_maps;
 use super::choice::{AS_PRINTED, Setter, set};
 use super::entry::{EXACT_BUT_NOT_SLICES, Entry, Memory, Ties, Volumes};
-use super::peeled::{Peeled, peeled};
+use super::loop_guard::{LoopGuard, peeled};
 use super::sorting::sorted_meshes_front_to_back;
 use super::technique::{Published, Technique};
 use crate::error::Result;
@@ -29,7 +29,7 @@ pub struct HybridLayerPeelingOptions {
 }
 
 struct HybridLayerPeeling {
-    peeled: Peeled,
+    peeled: LoopGuard,
     color: Format,
     depth: Format,
 }
@@ -74,7 +74,7 @@ impl Technique for HybridLayerPeelingOptions {
 
     fn algorithm(&self, setup: &Setup) -> Box<dyn Algorithm> {
         Box::new(HybridLayerPeeling {
-            peeled: Peeled::new(self.as_printed),
+            peeled: LoopGuard::new(self.as_printed),
             color: setup.color,
             depth: setup.depth,
         })

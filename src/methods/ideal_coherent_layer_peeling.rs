@@ -9,7 +9,7 @@ use super::allocate_maps::allocate_maps;
 use super::choice::{AS_PRINTED, Setter, set, word};
 use super::coherent_layer_peeling::{IMPROVE, one_of_both};
 use super::entry::{EXACT_BUT_NOT_SLICES, Entry, Memory, Ties, Volumes};
-use super::peeled::{Peeled, peeled};
+use super::loop_guard::{LoopGuard, peeled};
 use super::sorting::{SORT, Sorting};
 use super::technique::{Published, Technique};
 use crate::error::{Error, Result};
@@ -46,7 +46,7 @@ pub struct IdealOptions {
 
 struct IdealCoherentLayerPeeling {
     options: IdealOptions,
-    peeled: Peeled,
+    peeled: LoopGuard,
     by_images: bool,
 }
 
@@ -54,7 +54,7 @@ impl IdealCoherentLayerPeeling {
     fn new(options: IdealOptions) -> Self {
         Self {
             options,
-            peeled: Peeled::new(options.as_printed),
+            peeled: LoopGuard::new(options.as_printed),
             by_images: false,
         }
     }

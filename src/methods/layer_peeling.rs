@@ -9,7 +9,7 @@ use super::algorithm::{Algorithm, Drawn, Setup};
 use super::allocate_maps::allocate_maps;
 use super::choice::{AS_PRINTED, Setter, set};
 use super::entry::{EXACT_BUT_NOT_SLICES, Entry, Memory, Ties, Volumes};
-use super::peeled::{Peeled, peeled};
+use super::loop_guard::{LoopGuard, peeled};
 use super::technique::{Published, Technique};
 use crate::error::Result;
 use crate::gl::{Format, GlMachine};
@@ -25,7 +25,7 @@ pub struct LayerPeelingOptions {
 }
 
 struct LayerPeeling {
-    peeled: Peeled,
+    peeled: LoopGuard,
     color: Format,
     depth: Format,
 }
@@ -66,7 +66,7 @@ impl Technique for LayerPeelingOptions {
 
     fn algorithm(&self, setup: &Setup) -> Box<dyn Algorithm> {
         Box::new(LayerPeeling {
-            peeled: Peeled::new(self.as_printed),
+            peeled: LoopGuard::new(self.as_printed),
             color: setup.color,
             depth: setup.depth,
         })

@@ -50,7 +50,7 @@ mod hanging;
 pub mod invariance;
 mod inverse_w;
 mod iteration_bound;
-mod peeled;
+mod loop_guard;
 mod proxies;
 mod renderer;
 mod requirements;

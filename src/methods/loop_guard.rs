@@ -7,13 +7,13 @@ use crate::gl::GlMachine;
 use crate::steps::{Amendment, Outcome, Reason, Variables};
 
 /// Whether a loop runs as printed, and the number of iterations after which it is given up.
-pub(super) struct Peeled {
+pub(super) struct LoopGuard {
     as_printed: bool,
     guarded: bool,
     iteration_limit: f64,
 }
 
-impl Peeled {
+impl LoopGuard {
     pub(super) fn new(as_printed: bool) -> Self {
         Self {
             as_printed,
