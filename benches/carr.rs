@@ -2,7 +2,7 @@
 //!
 //! `cargo bench --bench carr`. The Stanford bunny takes part if `ONIONSKIN_BUNNY` names its scene file.
 
-use onionskin::methods::{CoherentOptions, IdealOptions, Sorting, Stats, Variant};
+use onionskin::methods::{CoherentOptions, IdealOptions, Stats, TriangleSort, Variant};
 use onionskin::scene::generate::{Order, Slices, slices};
 use onionskin::{Context, Method, Renderer, Result, Scene};
 
@@ -118,11 +118,11 @@ fn rows() -> Vec<(&'static str, Method)> {
         ("coherent A", coherent(a)),
         ("coherent B", coherent(b)),
         ("ideal GPU", ideal(false)),
-        ("B unsorted", sorted(Sorting::Submission)),
-        ("B, objects sorted", sorted(Sorting::Objects)),
-        ("B, 16 buckets", sorted(Sorting::Buckets(16))),
-        ("B, 256 buckets", sorted(Sorting::Buckets(256))),
-        ("B, 16384 buckets", sorted(Sorting::Buckets(16384))),
+        ("B unsorted", sorted(TriangleSort::Submission)),
+        ("B, objects sorted", sorted(TriangleSort::Objects)),
+        ("B, 16 buckets", sorted(TriangleSort::Buckets(16))),
+        ("B, 256 buckets", sorted(TriangleSort::Buckets(256))),
+        ("B, 16384 buckets", sorted(TriangleSort::Buckets(16384))),
         (
             "A, tie-friendly",
             coherent(CoherentOptions {

@@ -8,7 +8,7 @@
 //! `cargo run --example 07_sorted_shuffled_reversed [FOLDER]`
 
 use onionskin::image::Comparison;
-use onionskin::methods::{CoherentOptions, Sorting, Variant};
+use onionskin::methods::{CoherentOptions, TriangleSort, Variant};
 use onionskin::{Context, Method, Renderer, Scene};
 
 #[path = "common/example.rs"]
@@ -35,10 +35,10 @@ fn main() -> onionskin::Result<()> {
         *mesh = mesh.shuffled(7);
     }
     for (name, scene, sorting) in [
-        ("sorted", &scene, Sorting::Buckets(4096)),
-        ("as in the files", &scene, Sorting::Submission),
-        ("shuffled", &shuffled, Sorting::Submission),
-        ("back to front", &scene, Sorting::Reversed(4096)),
+        ("sorted", &scene, TriangleSort::Buckets(4096)),
+        ("as in the files", &scene, TriangleSort::Submission),
+        ("shuffled", &shuffled, TriangleSort::Submission),
+        ("back to front", &scene, TriangleSort::Reversed(4096)),
     ] {
         let method = Method::CoherentLayerPeeling(CoherentOptions {
             sorting,

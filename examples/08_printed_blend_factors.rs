@@ -11,7 +11,7 @@
 //! `cargo run --example 08_printed_blend_factors [FOLDER]`
 
 use onionskin::image::{Comparison, difference_picture};
-use onionskin::methods::{CoherentOptions, Sorting, Variant};
+use onionskin::methods::{CoherentOptions, TriangleSort, Variant};
 use onionskin::steps::{Amendment, gl::*};
 use onionskin::{Context, Method, Renderer, Scene, steps};
 
@@ -34,7 +34,7 @@ fn main() -> onionskin::Result<()> {
     let mut renderer = Renderer::new(&context, 512, 384)?;
     let mut render = |amendments: &'static [Amendment]| {
         let options = CoherentOptions {
-            sorting: Sorting::Submission,
+            sorting: TriangleSort::Submission,
             amendments,
             ..Variant::B.into()
         };

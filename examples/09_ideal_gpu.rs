@@ -8,7 +8,7 @@
 //! `cargo run --example 09_ideal_gpu [FOLDER]`
 
 use onionskin::image::{Comparison, difference_picture};
-use onionskin::methods::{CoherentOptions, IdealOptions, Sorting, Variant};
+use onionskin::methods::{CoherentOptions, IdealOptions, TriangleSort, Variant};
 use onionskin::{Context, Method, Renderer, Scene};
 
 #[path = "common/example.rs"]
@@ -19,7 +19,7 @@ fn main() -> onionskin::Result<()> {
     let context = Context::headless()?;
     let mut renderer = Renderer::new(&context, 512, 384)?;
     let ideal = IdealOptions {
-        sorting: Sorting::Reversed(1024),
+        sorting: TriangleSort::Reversed(1024),
         ..IdealOptions::default()
     };
     let entry = Method::IdealCoherentLayerPeeling(ideal).entry();

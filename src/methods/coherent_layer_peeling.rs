@@ -4,7 +4,7 @@
 //! The listings are [`coherent::VARIANT_A`], which counts with the stencil buffer, and [`coherent::VARIANT_B`], which
 //! moves depths with float blending. Both composite every surface once and in order, for any order of submission. The
 //! order of submission only affects the number of iterations, from 1 for sorted input to half the number of layers for
-//! reversed input. So triangles are first sorted roughly ([`Sorting`]). Of surfaces at the same depth, the one that is
+//! reversed input. So triangles are first sorted roughly ([`TriangleSort`]). Of surfaces at the same depth, the one that is
 //! submitted first *after sorting* lies in front.
 
 use super::algorithm::{Algorithm, Composited, DrawOrder, Drawn, Setup};
@@ -14,7 +14,7 @@ use super::choice::{AS_PRINTED, Choice, Setter, Takes, number, set};
 use super::entry::{EXACT_BUT_NOT_SLICES, Entry, Memory, Ties, Volumes};
 use super::expect_known::expect_known;
 use super::loop_guard::{LoopGuard, peeled};
-use super::sorting::{SORT, Sorting};
+use super::sorting::{SORT, TriangleSort};
 use super::technique::{Published, Technique};
 use crate::error::{Error, Result};
 use crate::gl::{Format, Geometry, GlMachine};
@@ -41,7 +41,7 @@ pub struct CoherentOptions {
     /// Stencil counting or float blending.
     pub variant: Variant,
     /// The sorting of triangles beforehand.
-    pub sorting: Sorting,
+    pub sorting: TriangleSort,
     /// An improvement: equal depths do not break a run ([`coherent::TIE_FRIENDLY`]).
     pub tie_friendly: bool,
     /// An improvement: the loop ends as soon as its first pass finds nothing ([`coherent::STOP_ON_PASS_1`]).

@@ -10,7 +10,7 @@ use super::choice::{AS_PRINTED, Setter, set, word};
 use super::coherent_layer_peeling::{IMPROVE, one_of_both};
 use super::entry::{EXACT_BUT_NOT_SLICES, Entry, Memory, Ties, Volumes};
 use super::loop_guard::{LoopGuard, peeled};
-use super::sorting::{SORT, Sorting};
+use super::sorting::{SORT, TriangleSort};
 use super::technique::{Published, Technique};
 use crate::error::{Error, Result};
 use crate::gl::GlMachine;
@@ -35,7 +35,7 @@ pub enum BufferAccess {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct IdealOptions {
     /// The sorting of triangles beforehand.
-    pub sorting: Sorting,
+    pub sorting: TriangleSort,
     /// An improvement: an unbroken run ends at the loose bound `z2` ([`ideal::TIGHT_BOUND`]).
     pub tight_bound: bool,
     /// Whether to run Algorithm 2 without amendments. A loop that goes on for too long is given up.

@@ -74,6 +74,6 @@ pub use hanging::Hanging;
 pub use registry::{Listed, Method, registry};
 pub use renderer::{Frame, Layer, Renderer};
 pub use slicing::{DEFAULT_SLICES, MOST_SLICES};
-pub use sorting::Sorting;
+pub use sorting::TriangleSort;
 pub use stats::{ABufferCounts, Peeling, Stats};
 pub use technique::Technique;

@@ -11,7 +11,7 @@ use crate::scene::{Mesh, Scene};
 
 /// The order in which transparent triangles are submitted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Sorting {
+pub enum TriangleSort {
     /// The scene's order.
     Submission,
     /// Mesh by mesh, the mesh with the nearest middle first.
@@ -29,7 +29,7 @@ pub(super) const SORT: Choice = Choice {
     help: "How triangles are sorted beforehand: submission, objects, reversed or buckets=N [default: buckets=256]",
 };
 
-impl Default for Sorting {
+impl Default for TriangleSort {
     /// 256 buckets. On the bundled scenes more buckets saved no iteration (`benches/carr.rs`), and every bucket may
     /// cost a draw call per mesh.
     fn default() -> Self {
@@ -37,7 +37,7 @@ impl Default for Sorting {
     }
 }
 
-impl FromStr for Sorting {
+impl FromStr for TriangleSort {
     type Err = Error;
 
     /// `submission`, `objects`, `buckets`, `reversed`, or `buckets=N`.
@@ -63,7 +63,7 @@ fn is_within_reason(buckets: u32) -> bool {
     (1..=1 << 24).contains(&buckets)
 }
 
-impl Sorting {
+impl TriangleSort {
     /// Every triangle as mesh and number: opaque triangles first, then the others in this order.
     pub(super) fn order(self, scene: &Scene) -> Vec<[u32; 2]> {
         let (opaque, transparent): (Vec<u32>, Vec<u32>) =
@@ -174,14 +174,14 @@ mod tests {
     fn enough_buckets_sort_a_stack_whatever_its_order() {
         for order in [Order::FrontToBack, Order::BackToFront, Order::Shuffled] {
             let scene = stack(order);
-            assert!(is_sorted(&scene, &Sorting::Buckets(64).order(&scene)));
+            assert!(is_sorted(&scene, &TriangleSort::Buckets(64).order(&scene)));
         }
     }
 
     #[test]
     fn reversed_buckets_are_as_unsorted_as_can_be() {
         let scene = stack(Order::FrontToBack);
-        let mut order = Sorting::Reversed(64).order(&scene);
+        let mut order = TriangleSort::Reversed(64).order(&scene);
         assert!(!is_sorted(&scene, &order));
         order.reverse();
         assert!(is_sorted(&scene, &order));
@@ -190,15 +190,19 @@ mod tests {
     #[test]
     fn one_bucket_sorts_nothing() {
         let scene = stack(Order::BackToFront);
-        let order = Sorting::Buckets(1).order(&scene);
-        assert_eq!(order, Sorting::Submission.order(&scene));
+        let order = TriangleSort::Buckets(1).order(&scene);
+        assert_eq!(order, TriangleSort::Submission.order(&scene));
         assert!(!is_sorted(&scene, &order));
     }
 
     #[test]
     fn every_triangle_is_submitted_once_whatever_the_sorting() {
         let scene = stack(Order::Shuffled);
-        for sorting in [Sorting::Submission, Sorting::Objects, Sorting::Buckets(3)] {
+        for sorting in [
+            TriangleSort::Submission,
+            TriangleSort::Objects,
+            TriangleSort::Buckets(3),
+        ] {
             let mut order = sorting.order(&scene);
             order.sort_unstable();
             assert_eq!(order, every_triangle(&scene, &[0]), "{sorting:?}");
@@ -213,6 +217,6 @@ mod tests {
             vertex.position.z -= 5.0;
         }
         let scene = Scene::of("two", vec![far, near]);
-        assert_eq!(Sorting::Objects.order(&scene)[0], [1, 0]);
+        assert_eq!(TriangleSort::Objects.order(&scene)[0], [1, 0]);
     }
 }

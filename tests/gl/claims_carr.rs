@@ -6,13 +6,13 @@ use crate::kit::carr_scenes::{HYBRID, LAYERS, error, ideal};
 use crate::kit::render::{example, render};
 use crate::kit::stack;
 use onionskin::image::Comparison;
-use onionskin::methods::{CoherentOptions, Sorting, Variant};
+use onionskin::methods::{CoherentOptions, TriangleSort, Variant};
 use onionskin::scene::generate::{Order, Slices, Soup, slices, soup};
 use onionskin::steps::Reason;
 use onionskin::{Context, Method, Scene};
 use proptest::test_runner::{TestCaseError, TestError};
 
-fn coherent(variant: Variant, sorting: Sorting) -> Method {
+fn coherent(variant: Variant, sorting: TriangleSort) -> Method {
     Method::CoherentLayerPeeling(CoherentOptions {
         sorting,
         ..variant.into()
@@ -24,11 +24,11 @@ fn methods(context: &Context) -> Vec<Method> {
     let mut methods = vec![
         LAYERS,
         HYBRID,
-        coherent(Variant::A, Sorting::Submission),
-        coherent(Variant::B, Sorting::Submission),
+        coherent(Variant::A, TriangleSort::Submission),
+        coherent(Variant::B, TriangleSort::Submission),
     ];
     if context.driver().has("GL_EXT_shader_framebuffer_fetch") {
-        methods.push(ideal(Sorting::Submission));
+        methods.push(ideal(TriangleSort::Submission));
     } else {
         println!("skipped: the ideal GPU (no GL_EXT_shader_framebuffer_fetch)");
     }
@@ -69,8 +69,8 @@ fn every_method_gives_the_oracle_s_image_of_whole_scenes() {
         let scene = example(name, size);
         let exact = render(&context, &scene, &Method::Exact);
         let mut all = methods(&context);
-        all.push(coherent(Variant::A, Sorting::default()));
-        all.push(coherent(Variant::B, Sorting::Objects));
+        all.push(coherent(Variant::A, TriangleSort::default()));
+        all.push(coherent(Variant::B, TriangleSort::Objects));
         for method in all {
             let frame = render(&context, &scene, &method);
             assert!(
@@ -157,8 +157,8 @@ fn c04_iterations_grow_with_the_slices_for_layer_peeling_only() {
         let [layers, hybrid, a, b] = [
             LAYERS,
             HYBRID,
-            coherent(Variant::A, Sorting::default()),
-            coherent(Variant::B, Sorting::default()),
+            coherent(Variant::A, TriangleSort::default()),
+            coherent(Variant::B, TriangleSort::default()),
         ]
         .map(|method| render(&context, &scene, &method).stats.iterations);
         println!("{count:6}  {layers:5}  {hybrid:6}  {a:10}  {b:10}");
@@ -177,8 +177,8 @@ fn c20_geometry_passes_are_6_5_and_2_an_iteration() {
     let context = Context::headless().unwrap();
     let scene = example("knots", [80, 60]);
     for (method, passes, last) in [
-        (coherent(Variant::A, Sorting::default()), 6, 6),
-        (coherent(Variant::B, Sorting::default()), 5, 5),
+        (coherent(Variant::A, TriangleSort::default()), 6, 6),
+        (coherent(Variant::B, TriangleSort::default()), 5, 5),
         (LAYERS, 2, 1),
     ] {
         let stats = render(&context, &scene, &method).stats;
@@ -203,9 +203,13 @@ fn c21_coherent_peeling_takes_several_times_fewer_iterations_on_sorted_models() 
     ] {
         let scene = example(name, size);
         let layers = render(&context, &scene, &LAYERS).stats.iterations;
-        let a = render(&context, &scene, &coherent(Variant::A, Sorting::default()))
-            .stats
-            .iterations;
+        let a = render(
+            &context,
+            &scene,
+            &coherent(Variant::A, TriangleSort::default()),
+        )
+        .stats
+        .iterations;
         println!("{name:9}  {layers:5}  {a:8}");
         // [2 to 8 times]: twice on the shallowest of these.
         assert!(
@@ -228,9 +232,9 @@ fn c23_bucket_sort_makes_a_model_sorted_enough() {
             .iterations
     };
     let counts = [
-        Sorting::Submission,
-        Sorting::Buckets(16),
-        Sorting::Buckets(1024),
+        TriangleSort::Submission,
+        TriangleSort::Buckets(16),
+        TriangleSort::Buckets(1024),
     ]
     .map(iterations);
     println!("iterations unsorted, 16 buckets, 1024 buckets: {counts:?}");

@@ -5,7 +5,7 @@ use crate::kit::bounds::F32;
 use crate::kit::carr_scenes::{LAYERS, error, ideal};
 use crate::kit::render::{example, render};
 use crate::kit::stack;
-use onionskin::methods::{BufferAccess, CoherentOptions, IdealOptions, Sorting, Variant};
+use onionskin::methods::{BufferAccess, CoherentOptions, IdealOptions, TriangleSort, Variant};
 use onionskin::papers::carr_2008::{AT_BOUND, AT_BOUND_AS_PRINTED};
 use onionskin::scene::generate::{TorusKnot, torus_knot};
 use onionskin::steps;
@@ -21,7 +21,7 @@ fn c19_the_ideal_gpu_takes_two_geometry_passes_an_iteration() {
     }
     for name in ["knots", "teapot", "soup"] {
         let scene = example(name, [80, 60]);
-        let stats = render(&context, &scene, &ideal(Sorting::default())).stats;
+        let stats = render(&context, &scene, &ideal(TriangleSort::default())).stats;
         assert_eq!(stats.geometry_passes, u64::from(stats.iterations) * 2 - 1);
         let layers = render(&context, &scene, &LAYERS).stats;
         assert!(stats.iterations <= layers.iterations, "{name}");
@@ -84,7 +84,7 @@ fn batches_give_the_same_image_in_fewer_iterations_each() {
     for variant in [Variant::A, Variant::B] {
         for batches in [1, 2, 5, 16] {
             let options = CoherentOptions {
-                sorting: Sorting::Submission,
+                sorting: TriangleSort::Submission,
                 batches,
                 ..variant.into()
             };
@@ -166,7 +166,7 @@ fn x8_what_never_ends_is_given_up_and_says_so() {
         let run = |amendments| {
             let options = CoherentOptions {
                 amendments,
-                sorting: Sorting::Submission,
+                sorting: TriangleSort::Submission,
                 ..variant.into()
             };
             render(&context, &scene, &Method::CoherentLayerPeeling(options)).stats

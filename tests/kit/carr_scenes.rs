@@ -3,10 +3,10 @@
 use onionskin::Method;
 use onionskin::image::Comparison;
 use onionskin::methods::{
-    Frame, HybridLayerPeelingOptions, IdealOptions, LayerPeelingOptions, Sorting,
+    Frame, HybridLayerPeelingOptions, IdealOptions, LayerPeelingOptions, TriangleSort,
 };
 
-pub fn ideal(sorting: Sorting) -> Method {
+pub fn ideal(sorting: TriangleSort) -> Method {
     Method::IdealCoherentLayerPeeling(IdealOptions {
         sorting,
         ..IdealOptions::default()
