@@ -1,21 +1,33 @@
 //! Which texts there are, by paper.
 
 use super::paper::Paper;
-use super::{bavoil_2008, carr_2008, everitt_2001, lindholm_2015, vasilakis_2013, vtk};
 use crate::error::{Error, Result, nearest};
 use crate::steps::Text;
 
-/// Every paper whose texts are here.
-pub const fn papers() -> &'static [Paper] {
-    &[
-        everitt_2001::PAPER,
-        vtk::PAPER,
-        carr_2008::PAPER,
-        lindholm_2015::PAPER,
-        bavoil_2008::PAPER,
-        vasilakis_2013::PAPER,
-    ]
+/// Every paper whose texts are here, one line each. The line makes it a module, too; its file has its [`Paper`].
+macro_rules! every_paper {
+    ($receiver:ident) => {
+        $receiver! {
+            everitt_2001,
+            vtk,
+            carr_2008,
+            lindholm_2015,
+            bavoil_2008,
+            vasilakis_2013,
+        }
+    };
 }
+
+macro_rules! index {
+    ($($paper:ident,)*) => {
+        /// Every paper whose texts are here.
+        pub const fn papers() -> &'static [Paper] {
+            &[$(super::$paper::PAPER),*]
+        }
+    };
+}
+
+every_paper!(index);
 
 /// The texts of a name, each with its full name. The name is that of a text, such as `everitt/listing-1`, or of a
 /// paper, such as `everitt`, for all of its texts.

@@ -2,15 +2,19 @@
 //!
 //! Each paper's file has its [`Paper`]; [`stage`] has what their methods share.
 
-pub mod bavoil_2008;
-pub mod carr_2008;
-pub mod everitt_2001;
+#[macro_use]
 mod index;
-pub mod lindholm_2015;
+
+macro_rules! declare {
+    ($($paper:ident,)*) => {
+        $(pub mod $paper;)*
+    };
+}
+
+every_paper!(declare);
+
 mod paper;
 pub mod stage;
-pub mod vasilakis_2013;
-pub mod vtk;
 
 pub use index::{papers, texts};
 pub use paper::Paper;
