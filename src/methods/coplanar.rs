@@ -11,6 +11,7 @@
 //! | fragments of equal depth | methods |
 //! | --- | --- |
 //! | each over those drawn before it | `blend`, `painter` |
+//! | no order | `weighted-blended` |
 //! | the first submitted, the others lost and counted | `depth-peeling` |
 //! | order of submission | `dual-depth-peeling`, `coplanar-depth-peeling`, `layer-peeling`, `ffb`, `ffb+ppao`, `ffb+ppdp`, `ffb+ppao+ppdp`, `dfb`, `dfb+ppao`, `dfb+ppdp`, `dfb+ppao+ppdp`, `ppll`, `ppll+ppao`, `ppll+ppdp`, `ppll+ppao+ppdp`, `exact` |
 //! | unsorted meshes before sorted ones | `hybrid-layer-peeling` |

@@ -20,6 +20,7 @@ macro_rules! every_method {
         $receiver! {
             blend: Blend,
             painter: Painter,
+            weighted_blended: WeightedBlended(WeightedBlendedOptions),
             depth_peeling: DepthPeeling(DepthPeelingOptions),
             dual_depth_peeling: DualDepthPeeling(DualDepthPeelingOptions),
             coplanar_depth_peeling: CoplanarDepthPeeling(CoplanarDepthPeelingOptions),

@@ -14,6 +14,7 @@ macro_rules! every_paper {
             lindholm_2015,
             bavoil_2008,
             vasilakis_2013,
+            mcguire_2013,
         }
     };
 }

@@ -1,0 +1,16 @@
+#version 430 core
+// Equation 6 of McGuire and Bavoil (2013): the weighted mean of the colours, and in alpha what comes through them. Where
+// there is no fragment everything comes through, and the mean of nothing is 0.
+// vertex: screen.vert
+
+layout(binding = 2) uniform sampler2D accumulated;
+layout(binding = 3) uniform sampler2D revealage;
+
+out vec4 color;
+
+void main() {
+    ivec2 here = ivec2(gl_FragCoord.xy);
+    vec4 sums = texelFetch(accumulated, here, 0);
+    vec3 mean = sums.a > 0.0 ? sums.rgb / sums.a : vec3(0.0);
+    color = vec4(mean, texelFetch(revealage, here, 0).r);
+}
