@@ -6,8 +6,8 @@ use std::sync::OnceLock;
 
 use khronos_egl as egl;
 
-use super::headless::Current;
-use super::{Attempt, Profile, with_reasons};
+use super::headless::{Current, Profile, with_reasons};
+use crate::error::Attempt;
 
 type Instance = egl::DynamicInstance<egl::EGL1_5>;
 

@@ -1,4 +1,14 @@
-//! The trait of EGL's and OSMesa's contexts.
+//! What EGL's and OSMesa's contexts have in common.
+
+/// The profile of OpenGL.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Profile {
+    /// The core profile, without the functions that OpenGL 3.1 removed.
+    #[default]
+    Core,
+    /// The compatibility profile, with the old fixed functions.
+    Compatibility,
+}
 
 /// A headless context. It ends when this is dropped.
 pub(super) trait Current {
@@ -13,4 +23,17 @@ pub(super) trait Current {
 
     /// Releases it.
     fn release(&self);
+}
+
+/// An error with its reasons, because libloading by itself says only 'dlopen failed'. A reason that the error names
+/// already is not repeated.
+pub(super) fn with_reasons(error: &dyn std::error::Error) -> String {
+    let mut text = error.to_string();
+    for reason in std::iter::successors(error.source(), |reason| reason.source()) {
+        let reason = reason.to_string();
+        if !text.ends_with(&reason) {
+            text = format!("{text}: {reason}");
+        }
+    }
+    text
 }

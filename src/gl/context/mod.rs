@@ -24,6 +24,7 @@ use crate::gl::driver::Driver;
 use crate::gl::more::More;
 
 pub(in crate::gl) use self::current::Away;
+pub use self::headless::Profile;
 pub use self::variables::suspect_variables;
 
 /// The lowest version that is enough for the methods: shader storage buffers and image atomics are in its core.
@@ -42,16 +43,6 @@ pub enum Backend {
     Egl,
     /// libOSMesa.
     OsMesa,
-}
-
-/// The profile of OpenGL.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Profile {
-    /// The core profile, without the functions that OpenGL 3.1 removed.
-    #[default]
-    Core,
-    /// The compatibility profile, with the old fixed functions.
-    Compatibility,
 }
 
 /// The wanted kind of context.
@@ -229,19 +220,6 @@ fn one_at_a_time() -> MutexGuard<'static, ()> {
     static LIFETIMES: Mutex<()> = Mutex::new(());
     // It guards no data, so a panic while it was held leaves nothing half done.
     LIFETIMES.lock().unwrap_or_else(PoisonError::into_inner)
-}
-
-/// An error with its reasons, because libloading by itself says only 'dlopen failed'. A reason that the error names
-/// already is not repeated.
-fn with_reasons(error: &dyn std::error::Error) -> String {
-    let mut text = error.to_string();
-    for reason in std::iter::successors(error.source(), |reason| reason.source()) {
-        let reason = reason.to_string();
-        if !text.ends_with(&reason) {
-            text = format!("{text}: {reason}");
-        }
-    }
-    text
 }
 
 impl fmt::Display for Backend {

@@ -6,8 +6,9 @@ use std::rc::Rc;
 
 use libloading::Library;
 
-use super::headless::Current;
-use super::{Attempt, Profile, variables, with_reasons};
+use super::headless::{Current, Profile, with_reasons};
+use super::variables;
+use crate::error::Attempt;
 
 const LIBRARIES: [&str; 3] = ["libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"];
 

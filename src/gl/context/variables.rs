@@ -1,6 +1,6 @@
 //! Environment variables that change which OpenGL is found, so that an error can name those that may be the cause.
 
-use super::Attempt;
+use crate::error::Attempt;
 
 /// The effect of each variable on Mesa, or on the library that looks for Mesa.
 const VARIABLES: [(&str, &str); 13] = [
