@@ -188,7 +188,7 @@ impl<'c> GlMachine<'c> {
     ///
     /// # Errors
     /// The errors of `work`.
-    pub fn aside<T>(&mut self, work: impl FnOnce(&mut Self) -> Result<T>) -> Result<T> {
+    pub fn save_and_restore<T>(&mut self, work: impl FnOnce(&mut Self) -> Result<T>) -> Result<T> {
         let passes = self.geometry_passes;
         let result = work(self);
         self.geometry_passes = passes;

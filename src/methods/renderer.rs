@@ -160,7 +160,7 @@ impl<'c> Renderer<'c> {
         let mut algorithm = self.prepare(&shown, method)?;
         let (mut drawn, ms) = self.draw(scene, algorithm.as_mut())?;
         self.machine
-            .aside(|machine| algorithm.account(machine, &mut drawn))?;
+            .save_and_restore(|machine| algorithm.account(machine, &mut drawn))?;
         self.finish(&shown, method, drawn, ms)
     }
 
@@ -189,7 +189,7 @@ impl<'c> Renderer<'c> {
             times.push(ms);
         }
         self.machine
-            .aside(|machine| algorithm.account(machine, &mut drawn))?;
+            .save_and_restore(|machine| algorithm.account(machine, &mut drawn))?;
         times.sort_unstable_by(f64::total_cmp);
         self.finish(&shown, method, drawn, times[times.len() / 2])
     }
