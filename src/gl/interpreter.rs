@@ -9,7 +9,7 @@ use super::constants::{
 use super::framebuffers::depth_attachment;
 use super::geometry::Geometry;
 use super::machine::GlMachine;
-use super::program::Linked;
+use super::program::ProgramSet;
 use super::texture::internal;
 use crate::error::{Error, Result};
 use crate::steps::{Call, Machine, Objects, Query};
@@ -64,7 +64,7 @@ impl GlMachine<'_> {
             self.classic.prepare_draw(program, around)?;
         }
         match (program, objects) {
-            (Linked::Screen(_), Objects::Screen) => {
+            (ProgramSet::Screen(_), Objects::Screen) => {
                 let gl = self.context.glow();
                 // A draw over the screen works on layers of transparent surfaces, so it need not reach further than
                 // they do.
@@ -88,7 +88,7 @@ impl GlMachine<'_> {
                 self.scissor_to_band();
             }
             (
-                Linked::Surface(surfaces),
+                ProgramSet::Surface(surfaces),
                 Objects::Scene
                 | Objects::Opaque
                 | Objects::Transparent

@@ -117,7 +117,7 @@ impl ProgramKey {
 
 /// What a shader's name stands for.
 #[derive(Debug)]
-pub(super) enum Linked {
+pub(super) enum ProgramSet {
     /// A program that draws [`Objects::Screen`].
     Screen(Program),
     /// Programs that draw surfaces.
@@ -144,7 +144,7 @@ impl Surfaces {
     }
 }
 
-impl Linked {
+impl ProgramSet {
     /// Links what the name stands for. The context is current.
     pub(super) fn new(gl: &glow::Context, key: &ProgramKey) -> Result<Self> {
         let Declared {

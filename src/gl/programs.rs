@@ -5,13 +5,13 @@ use std::collections::hash_map::Entry;
 
 use glow::HasContext;
 
-use super::program::{Define, Linked, ProgramKey};
+use super::program::{Define, ProgramKey, ProgramSet};
 use crate::error::{Error, Result};
 use crate::steps::Shader;
 
 #[derive(Debug, Default)]
 pub(super) struct Programs {
-    linked: HashMap<ProgramKey, Linked>,
+    linked: HashMap<ProgramKey, ProgramSet>,
     current: Option<ProgramKey>,
     /// What the shaders that ask for a method's defines are compiled with.
     pub(super) defines: Vec<Define>,
@@ -32,10 +32,10 @@ impl Programs {
         let size = size.map(|size| ("N", size));
         let key = ProgramKey::new(shader, &self.defines, size, self.slices, self.inverse_w)?;
         if let Entry::Vacant(place) = self.linked.entry(key.clone()) {
-            let linked = Linked::new(gl, place.key())?;
+            let linked = ProgramSet::new(gl, place.key())?;
             place.insert(linked);
         }
-        if let Linked::Screen(program) = &self.linked[&key] {
+        if let ProgramSet::Screen(program) = &self.linked[&key] {
             // SAFETY: the program is linked.
             unsafe { gl.use_program(Some(program.raw)) };
         }
@@ -44,7 +44,7 @@ impl Programs {
     }
 
     /// The program that was chosen.
-    pub(super) fn current(&self) -> Result<&Linked> {
+    pub(super) fn current(&self) -> Result<&ProgramSet> {
         let linked = self.current.as_ref().and_then(|key| self.linked.get(key));
         linked.ok_or_else(|| {
             Error::usage(
@@ -62,7 +62,7 @@ impl Programs {
     /// Sets a uniform of the current program. The context is current.
     pub(super) fn set_uniform(&self, gl: &glow::Context, name: &str, value: f32) {
         let current = self.current().ok();
-        for program in current.into_iter().flat_map(Linked::programs) {
+        for program in current.into_iter().flat_map(ProgramSet::programs) {
             // SAFETY: the program is linked; GL ignores a uniform that it does not have.
             unsafe {
                 gl.use_program(Some(program.raw));
@@ -73,7 +73,7 @@ impl Programs {
     }
 
     pub(super) fn delete(&mut self, gl: &glow::Context) {
-        for program in self.linked.values().flat_map(Linked::programs) {
+        for program in self.linked.values().flat_map(ProgramSet::programs) {
             // SAFETY: the program is the machine's own, and its table is cleared below.
             unsafe { gl.delete_program(program.raw) };
         }

@@ -11,7 +11,7 @@ use super::super::context::Context;
 use super::super::geometry::Geometry;
 use super::super::making::{Making, allocate, named};
 use super::super::maps::Maps;
-use super::super::program::Linked;
+use super::super::program::ProgramSet;
 use super::super::samplers::{Samplers, compare_to_reference, take_the_nearest};
 use super::super::texture::{Texture, internal};
 use super::state::{ClassicState, TextureUnit, UNITS};
@@ -134,7 +134,7 @@ impl Classic {
     /// Gives a program of the classic state what it looks at.
     pub(in crate::gl) fn prepare_draw(
         &mut self,
-        linked: &Linked,
+        linked: &ProgramSet,
         around: Around<'_, '_>,
     ) -> Result<()> {
         let gl = around.context.glow();
