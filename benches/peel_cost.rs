@@ -101,9 +101,9 @@ impl<'c> Parts<'c> {
         for depth in [stage::OPAQUE_DEPTH, DEPTH_0, DEPTH_1] {
             machine.allocate(depth, Format::Depth32FStencil8)?;
         }
-        machine.target(stage::IMAGE, Some(IMAGE), Some(stage::OPAQUE_DEPTH))?;
-        machine.target(stage::PEEL, Some(vtk::COLOR_BUFFER), Some(DEPTH_1))?;
-        machine.target(stage::ACCUMULATION, Some(stage::ACCUMULATED), None)?;
+        machine.framebuffer(stage::IMAGE, Some(IMAGE), Some(stage::OPAQUE_DEPTH))?;
+        machine.framebuffer(stage::PEEL, Some(vtk::COLOR_BUFFER), Some(DEPTH_1))?;
+        machine.framebuffer(stage::ACCUMULATION, Some(stage::ACCUMULATED), None)?;
         machine.set_geometry(Geometry::upload(context, scene, scene.size)?);
         machine.begin_frame();
         run(&stage::OPAQUE_FIRST, &[], Variables::new(), &mut machine)?;

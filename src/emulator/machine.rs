@@ -361,7 +361,12 @@ impl Workspace for Emulator {
         Ok(())
     }
 
-    fn target_of(&mut self, target: Target, colors: &[Map], depth: Option<Map>) -> Result<()> {
+    fn framebuffer_with(
+        &mut self,
+        target: Target,
+        colors: &[Map],
+        depth: Option<Map>,
+    ) -> Result<()> {
         let color = match colors {
             [] => None,
             [color] => Some(self.plane(*color)?),

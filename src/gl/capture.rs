@@ -82,7 +82,7 @@ pub fn capture_in_pieces(
         limit,
     );
     // A depth attachment also keeps clear of the trap that `Trap` describes.
-    machine.target(TARGET, None, Some(what.depth))?;
+    machine.framebuffer(TARGET, None, Some(what.depth))?;
     for call in before(what.passes) {
         machine.perform(&call)?;
     }

@@ -23,7 +23,7 @@ use crate::scene::Scene;
 /// Runs listings on OpenGL.
 ///
 /// It keeps the tables that give the listings' names their GL objects. Maps and framebuffers are made by
-/// [`allocate`](Self::allocate) and [`target`](Self::target) before a listing runs; programs and queries are made when
+/// [`allocate`](Self::allocate) and [`framebuffer`](Self::framebuffer) before a listing runs; programs and queries are made when
 /// they are first named.
 pub struct GlMachine<'c> {
     pub(super) context: &'c Context,

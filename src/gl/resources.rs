@@ -50,18 +50,28 @@ impl<'c> GlMachine<'c> {
     ///
     /// # Errors
     /// If a map is missing, or the driver does not take the combination.
-    pub fn target(&mut self, target: Target, color: Option<Map>, depth: Option<Map>) -> Result<()> {
-        self.target_of(target, color.as_slice(), depth)
+    pub fn framebuffer(
+        &mut self,
+        target: Target,
+        color: Option<Map>,
+        depth: Option<Map>,
+    ) -> Result<()> {
+        self.framebuffer_with(target, color.as_slice(), depth)
     }
 
     /// The same with as many color maps as there are, the first for the shaders' location 0.
     ///
     /// # Errors
-    /// As [`target`](Self::target).
+    /// As [`framebuffer`](Self::framebuffer).
     ///
     /// # Panics
     /// With more than eight.
-    pub fn target_of(&mut self, target: Target, colors: &[Map], depth: Option<Map>) -> Result<()> {
+    pub fn framebuffer_with(
+        &mut self,
+        target: Target,
+        colors: &[Map],
+        depth: Option<Map>,
+    ) -> Result<()> {
         let colors = colors.iter().map(|&map| self.maps.get(map));
         let colors = colors.collect::<Result<Vec<_>>>()?;
         let depth = depth.map(|map| self.maps.get(map)).transpose()?;
@@ -220,7 +230,12 @@ impl Workspace for GlMachine<'_> {
         self.allocate(map, format)
     }
 
-    fn target_of(&mut self, target: Target, colors: &[Map], depth: Option<Map>) -> Result<()> {
-        self.target_of(target, colors, depth)
+    fn framebuffer_with(
+        &mut self,
+        target: Target,
+        colors: &[Map],
+        depth: Option<Map>,
+    ) -> Result<()> {
+        self.framebuffer_with(target, colors, depth)
     }
 }

@@ -36,7 +36,7 @@ impl GlMachine<'_> {
     fn count_invocations(&mut self, draws: u32) -> Result<u32> {
         self.begin_frame();
         self.allocate(COLOR, Format::Rgba8)?;
-        self.target(TARGET, Some(COLOR), None)?;
+        self.framebuffer(TARGET, Some(COLOR), None)?;
         let gl = self.context().glow();
         // It is deleted at the end, and whenever a step fails.
         let mut making = Making::new(gl);

@@ -19,7 +19,11 @@ pub fn allocate_maps(
             workspace.allocate(*map, holds.format(color, depth))?;
         }
         for framebuffer in resources.framebuffers {
-            workspace.target_of(framebuffer.target, framebuffer.colors, framebuffer.depth)?;
+            workspace.framebuffer_with(
+                framebuffer.target,
+                framebuffer.colors,
+                framebuffer.depth,
+            )?;
         }
     }
     Ok(())

@@ -154,7 +154,7 @@ impl Renderer<'_> {
             CountBy::Stencil => (Format::R32F, paper::COUNT_BY_STENCIL),
         };
         machine.allocate(stage::COMPLEXITY, format)?;
-        machine.target_of(
+        machine.framebuffer_with(
             stage::COUNTED,
             &[stage::COMPLEXITY],
             Some(stage::OPAQUE_DEPTH),

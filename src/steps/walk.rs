@@ -35,7 +35,12 @@ pub trait Workspace: Machine {
     ///
     /// # Errors
     /// If a map is missing, or the combination is not possible.
-    fn target_of(&mut self, target: Target, colors: &[Map], depth: Option<Map>) -> Result<()>;
+    fn framebuffer_with(
+        &mut self,
+        target: Target,
+        colors: &[Map],
+        depth: Option<Map>,
+    ) -> Result<()>;
 }
 
 /// The result of a listing, besides the machine's state.

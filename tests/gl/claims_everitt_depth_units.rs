@@ -145,7 +145,7 @@ fn survivors(context: &Context, depths: &Scene, drawn: &Scene, func: Compare) ->
         .allocate(vtk::COLOR_BUFFER, Format::Rgba32F)
         .unwrap();
     machine
-        .target(stage::PEEL, Some(vtk::COLOR_BUFFER), Some(MAP))
+        .framebuffer(stage::PEEL, Some(vtk::COLOR_BUFFER), Some(MAP))
         .unwrap();
     for call in [
         Call::BindFramebuffer {
@@ -172,7 +172,7 @@ fn survivors(context: &Context, depths: &Scene, drawn: &Scene, func: Compare) ->
     machine.set_geometry(Geometry::upload(context, drawn, drawn.size).unwrap());
     // Not attached while it is looked up.
     machine
-        .target(stage::PEEL, Some(vtk::COLOR_BUFFER), None)
+        .framebuffer(stage::PEEL, Some(vtk::COLOR_BUFFER), None)
         .unwrap();
     let mut units = DepthUnits::new(&mut machine);
     for call in [

@@ -226,12 +226,12 @@ fn render(
     machine.set_geometry(Geometry::upload(context, &scene(&geometry_of.map), SIZE)?);
     machine.begin_frame();
     for unit in 0..2 {
-        machine.target(MAPPED, Some(MAP_COLOR[unit]), Some(MAP_DEPTH[unit]))?;
+        machine.framebuffer(MAPPED, Some(MAP_COLOR[unit]), Some(MAP_DEPTH[unit]))?;
         draw(machine, Shader("surface"))?;
     }
     machine.set_geometry(Geometry::upload(context, &scene(&geometry_of.drawn), SIZE)?);
     machine.begin_frame();
-    machine.target(DRAWN, Some(IMAGE), Some(DEPTH))?;
+    machine.framebuffer(DRAWN, Some(IMAGE), Some(DEPTH))?;
     let calls = classic_calls(calls_of);
     if real {
         let fixed = &mut FixedFunction::new(machine)?;

@@ -302,7 +302,7 @@ fn nearest(context: &Context, scene: &Scene, replace: bool) -> Vec<f32> {
     const TARGET: Target = Target("nearest");
     let mut machine = GlMachine::new(context, scene.size).unwrap();
     machine.allocate(DEPTH, Format::Depth32F).unwrap();
-    machine.target(TARGET, None, Some(DEPTH)).unwrap();
+    machine.framebuffer(TARGET, None, Some(DEPTH)).unwrap();
     machine.set_geometry(Geometry::upload(context, scene, scene.size).unwrap());
     machine.begin_frame();
     run(&LISTING_2, &[], Variables::new(), &mut machine).unwrap();

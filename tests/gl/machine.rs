@@ -41,7 +41,9 @@ fn a_swap_exchanges_the_names_of_two_maps() {
     let (peel, next) = (Map::named("zPeel"), Map::named("zPeelNext"));
     for (map, depth) in [(peel, 0.25), (next, 0.75)] {
         machine.allocate(map, Format::Depth32FStencil8).unwrap();
-        machine.target(Target("depth"), None, Some(map)).unwrap();
+        machine
+            .framebuffer(Target("depth"), None, Some(map))
+            .unwrap();
         machine.perform(&Call::ClearDepth { depth }).unwrap();
         let mask = onionskin::steps::gl::DEPTH_BUFFER_BIT;
         machine.perform(&Call::Clear { mask }).unwrap();
@@ -152,7 +154,7 @@ fn a_framebuffer_that_the_driver_does_not_take_is_named() {
     machine.allocate(depth, Format::Depth32FStencil8).unwrap();
     // A depth map is no colour.
     let error = machine
-        .target(Target("wrong"), Some(depth), None)
+        .framebuffer(Target("wrong"), Some(depth), None)
         .unwrap_err();
     assert!(error.to_string().contains("'wrong'"), "{error}");
 }

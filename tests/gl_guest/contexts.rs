@@ -68,7 +68,9 @@ fn a_machine_s_calls_go_to_its_own_context() {
     for (machine, depth) in machines.iter_mut().zip([0.25, 0.75]) {
         machine.begin_frame();
         machine.allocate(map, Format::Depth32F).unwrap();
-        machine.target(Target("depth"), None, Some(map)).unwrap();
+        machine
+            .framebuffer(Target("depth"), None, Some(map))
+            .unwrap();
         machine.perform(&Call::ClearDepth { depth }).unwrap();
     }
     for machine in &mut machines {
@@ -86,7 +88,9 @@ fn geometry_of_another_context_is_refused() {
     let mut machine = GlMachine::new(&b, scene.size).unwrap();
     let map = Map::named("map");
     machine.allocate(map, Format::Rgba8).unwrap();
-    machine.target(Target("image"), Some(map), None).unwrap();
+    machine
+        .framebuffer(Target("image"), Some(map), None)
+        .unwrap();
     machine.set_geometry(Geometry::upload(&a, &scene, scene.size).unwrap());
     machine.begin_frame();
     let program = Shader("surface");

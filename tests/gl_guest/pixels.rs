@@ -246,7 +246,7 @@ fn painted(context: &Context) -> GlMachine<'_> {
     machine.allocate(NUMBERS, Format::Rgba32Ui).unwrap();
     machine.allocate(DEPTH, Format::Depth32FStencil8).unwrap();
     machine
-        .target_of(Target("painted"), &[COLOR, NUMBERS], Some(DEPTH))
+        .framebuffer_with(Target("painted"), &[COLOR, NUMBERS], Some(DEPTH))
         .unwrap();
     let gl = context.glow();
     // SAFETY: the context is current, and the framebuffer's attachments have these types.

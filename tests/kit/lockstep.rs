@@ -139,7 +139,7 @@ pub fn surfaces(gl: &mut GlMachine<'_>, scene: &Scene, image: Map) -> Vec<Vec<Su
     let opaque_colors = gl.read_colors(image).unwrap();
     gl.allocate(NOTHING, Format::Depth32FStencil8).unwrap();
     let target = Target("nothing");
-    gl.target_of(target, &[], Some(NOTHING)).unwrap();
+    gl.framebuffer_with(target, &[], Some(NOTHING)).unwrap();
     gl.perform(&Call::BindFramebuffer {
         framebuffer: target,
     })

@@ -162,13 +162,13 @@ impl Algorithm for ABuffer {
             (false, Manager::Ffb | Manager::Dfb) => [&[paper::COUNTER], &[]],
             (false, Manager::Ppll) => [&[paper::COUNTER, paper::ANCHOR], &[]],
         };
-        machine.target_of(paper::CLEARED, cleared, Some(depth))?;
-        machine.target_of(paper::FILL, inouts, Some(depth))?;
+        machine.framebuffer_with(paper::CLEARED, cleared, Some(depth))?;
+        machine.framebuffer_with(paper::FILL, inouts, Some(depth))?;
         if !self.counts_costs {
-            return machine.target_of(paper::RESOLVED, &[stage::IMAGE_COLOR], Some(depth));
+            return machine.framebuffer_with(paper::RESOLVED, &[stage::IMAGE_COLOR], Some(depth));
         }
         machine.allocate(paper::COST, Format::Rgba32Ui)?;
-        machine.target_of(
+        machine.framebuffer_with(
             paper::RESOLVED,
             &[stage::IMAGE_COLOR, paper::COST],
             Some(depth),
@@ -271,7 +271,7 @@ impl ABuffer {
     fn count(&self, machine: &mut GlMachine<'_>, proxies: &[Amendment]) -> Result<Vec<u32>> {
         let depth = Some(stage::OPAQUE_DEPTH);
         if !self.options.has_offsets() && machine.format(stage::OPAQUE_DEPTH)?.has_stencil() {
-            machine.target_of(stage::COUNTED, &[], depth)?;
+            machine.framebuffer_with(stage::COUNTED, &[], depth)?;
             let variables = Variables::new();
             run(&paper::COUNT_BY_STENCIL, proxies, variables, machine)?;
             let counts = machine.read_counts(stage::OPAQUE_DEPTH)?;
@@ -279,7 +279,7 @@ impl ABuffer {
                 return Ok(counts);
             }
         }
-        machine.target_of(stage::COUNTED, &[stage::COMPLEXITY], depth)?;
+        machine.framebuffer_with(stage::COUNTED, &[stage::COMPLEXITY], depth)?;
         let variables = Variables::new();
         run(&stage::COUNT_AT_EACH_PIXEL, proxies, variables, machine)?;
         machine.read_counts(stage::COMPLEXITY)
