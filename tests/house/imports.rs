@@ -7,6 +7,47 @@ use proc_macro2::{TokenStream, TokenTree};
 use syn::visit::{self, Visit};
 use syn::{Attribute, Item, ItemMod, ItemUse, Macro, UseTree, Visibility};
 
+/// The modules that a macro of the first child declares which defines it, as in `every_paper!(declare)`: of all words in
+/// that macro those that are files beside it.
+fn declared_by_macros(items: &[Item], child: &dyn Fn(&str) -> Option<String>) -> Vec<String> {
+    let called = |item: &Item| match item {
+        Item::Macro(it) if it.ident.is_none() && it.mac.tokens.to_string() == "declare" => {
+            it.mac.path.get_ident().map(ToString::to_string)
+        }
+        _ => None,
+    };
+    let mut found = Vec::new();
+    for name in items.iter().filter_map(called) {
+        let files = items.iter().filter_map(|item| match item {
+            Item::Mod(it) if it.content.is_none() => child(&it.ident.to_string()),
+            _ => None,
+        });
+        for file in files.filter_map(|text| syn::parse_file(&text).ok()) {
+            let defined = file.items.into_iter().find_map(|item| match item {
+                Item::Macro(it) if it.ident.as_ref().is_some_and(|ident| *ident == name) => {
+                    Some(it.mac.tokens)
+                }
+                _ => None,
+            });
+            words(defined.unwrap_or_default(), &mut found);
+        }
+    }
+    found.sort();
+    found.dedup();
+    found.retain(|word| child(word).is_some());
+    found
+}
+
+fn words(tokens: TokenStream, found: &mut Vec<String>) {
+    for token in tokens {
+        match token {
+            TokenTree::Ident(ident) => found.push(ident.to_string()),
+            TokenTree::Group(group) => words(group.stream(), found),
+            _ => {}
+        }
+    }
+}
+
 /// A path from the crate's root.
 type Names = Vec<String>;
 
@@ -55,7 +96,21 @@ impl House {
                 children: Vec::new(),
             };
             reader.module(&parsed.items);
-            for child in reader.children {
+            let mut children = reader.children;
+            let mut declared = declared_by_macros(&parsed.items, &|child| {
+                source(&format!("{folder}{child}.rs"))
+                    .or_else(|| source(&format!("{folder}{child}/mod.rs")))
+            });
+            let parent = children
+                .first()
+                .map(|child| child[..child.len() - 1].to_vec());
+            declared.retain(|name| children.iter().all(|child| child.last() != Some(name)));
+            children.extend(
+                declared
+                    .into_iter()
+                    .map(|name| [parent.clone().unwrap_or_default(), vec![name]].concat()),
+            );
+            for child in children {
                 let name = child.last().expect("a child has a name");
                 // Inside of modules that are written out in a file, none has a file of its own here.
                 let inside = format!("{folder}{name}/");

@@ -19,6 +19,9 @@ fn no_paper_runs_anything() {
             .collect::<Vec<_>>()
     };
     assert_eq!(runs("papers/"), Vec::<String>::new());
+    for file in ["papers/vtk.rs", "papers/carr_2008/hybrid.rs"] {
+        assert!(imports.contains_key(file), "{file} was not read");
+    }
     // Whoever does run listings is found.
     assert!(!runs("methods/").is_empty());
 }

@@ -26,7 +26,7 @@ pub enum Loop {
 pub const LOOPS: [Loop; 4] = [Loop::LayerPeeling, Loop::Hybrid, Loop::A, Loop::B];
 
 /// The map that holds the finished image.
-pub const IMAGE: Map = Map::named("image");
+pub const IMAGE: Map = stage::IMAGE_COLOR;
 
 impl Loop {
     pub fn listing(self) -> &'static Listing {
