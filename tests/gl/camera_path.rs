@@ -129,3 +129,23 @@ fn a_frame_costs_the_same_whenever_it_is_rendered() {
     assert_eq!(first, again);
     assert!(first != other);
 }
+
+#[test]
+fn a_frame_that_is_counted_is_the_frame_and_the_count() {
+    let scene = animation().frame(0).unwrap();
+    let context = Context::headless().unwrap();
+    let mut renderer = Renderer::new(&context, SIZE[0], SIZE[1]).unwrap();
+    let lists = Method::ABuffer(ABufferOptions::DEFAULT);
+    // Its slices are counted as the volumes that they stand for.
+    let slices = Method::HybridLayerPeeling(Default::default());
+    for method in [lists, slices, Method::Exact] {
+        let (frame, complexity) = renderer
+            .render_and_count(&scene, &method, CountBy::Blending)
+            .unwrap();
+        let image = renderer.render(&scene, &method).unwrap().image;
+        assert_eq!(frame.image, image, "{method:?}");
+        let alone = renderer.complexity(&scene, CountBy::Blending).unwrap();
+        assert_eq!(complexity, alone, "{method:?}");
+        assert!(complexity.max() > 0);
+    }
+}
