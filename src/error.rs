@@ -3,6 +3,7 @@
 mod nearest;
 mod printable;
 
+use std::io;
 use std::path::{Path, PathBuf};
 
 pub use nearest::{did_you_mean, nearest, with_slashes};
@@ -17,6 +18,7 @@ pub type Result<T, E = Error> = std::result::Result<T, E>;
 pub enum Error {
     /// A file that cannot be used as it is.
     #[error("{place}: {}\n  {}", printable(.what), printable(.remedy))]
+    #[non_exhaustive]
     Input {
         /// The file, and as far as known the line and the token.
         place: Place,
@@ -24,16 +26,32 @@ pub enum Error {
         what: String,
         /// What to do.
         remedy: String,
+        /// The system's error, if the file could not be read.
+        source: Option<io::Error>,
     },
     /// A result that could not be written. Nothing is left at `path`.
     #[error("cannot write {}: {}\n  {}", shown(.path), printable(.what), printable(.remedy))]
     Output {
         /// Where it should have gone.
         path: PathBuf,
-        /// What the system said.
+        /// What stands in the way.
         what: String,
         /// What to do.
         remedy: String,
+        /// The system's error, if it is one.
+        source: Option<io::Error>,
+    },
+    /// More memory is wanted than may be taken. Nothing was taken.
+    #[error("{}{}\n  {MORE_MEMORY}", at(.place), printable(.what))]
+    Memory {
+        /// Where in a file it is wanted, if it is for a file.
+        place: Option<Place>,
+        /// What takes how much, and how much there is, as a sentence.
+        what: String,
+        /// Bytes that are wanted.
+        wanted: u64,
+        /// Bytes that may be taken.
+        left: u64,
     },
     /// No way to OpenGL was found.
     #[error("no OpenGL 4.3 driver was found:\n{}\n  {INSTALL}", list(.tried))]
@@ -65,6 +83,52 @@ pub enum Error {
         /// GL's name for the error.
         error: String,
     },
+    /// The driver gives out nothing any more: it is out of memory, or its device is lost.
+    #[error("the driver cannot {doing}: {answer}\n  {LOST}")]
+    Lost {
+        /// What it was asked to do, as in 'make a texture'.
+        doing: String,
+        /// What it says.
+        answer: String,
+    },
+    /// A listing names a map that was not allocated.
+    #[error("the listing names the map '{map}', which does not exist\n  allocate it first")]
+    UnknownMap {
+        /// The map's name.
+        map: String,
+    },
+    /// A listing names a buffer that was not allocated.
+    #[error("the listing names the buffer '{buffer}', which does not exist\n  allocate it first")]
+    UnknownBuffer {
+        /// The buffer's name.
+        buffer: String,
+    },
+    /// The emulated pixel cannot run this shader.
+    #[error("the emulated pixel has no twin of the shader '{shader}'\n  it has {}", .known.join(", "))]
+    NoTwin {
+        /// The shader's name.
+        shader: String,
+        /// The shaders that have a twin.
+        known: Vec<&'static str>,
+    },
+    /// A step of a listing that needs an earlier one, which was not performed.
+    #[error("{what}\n  {remedy}")]
+    OutOfOrder {
+        /// What the step does too early.
+        what: String,
+        /// What comes first.
+        remedy: String,
+    },
+    /// An option, of a method or of something else, whose value it cannot have.
+    #[error("{}\n  {}", printable(.what), printable(.remedy))]
+    Option {
+        /// The option's name, in small letters and hyphens.
+        option: String,
+        /// What is wrong with its value.
+        what: String,
+        /// What to choose instead.
+        remedy: String,
+    },
     /// A request that makes no sense, whatever the files say.
     #[error("{}\n  {}", printable(.what), printable(.remedy))]
     Usage {
@@ -84,6 +148,10 @@ pub struct Attempt {
     pub answer: String,
 }
 
+const MORE_MEMORY: &str = "Ask for less, or allow more memory.";
+
+const LOST: &str = "it is out of memory or lost: close what else uses the GPU, then start anew";
+
 const INSTALL: &str =
     "install or update Mesa's software renderer, then try again (`onionskin doctor` shows what is there):
     Debian, Ubuntu: apt install libegl1 libgl1-mesa-dri (and libosmesa6, where there is one)
@@ -93,6 +161,13 @@ const INSTALL: &str =
 /// A path as it is shown: whatever its name does to a terminal, it does not do it there.
 fn shown(path: &Path) -> String {
     printable(&path.to_string_lossy()).into_owned()
+}
+
+/// The place before what is said about it.
+fn at(place: &Option<Place>) -> String {
+    place
+        .as_ref()
+        .map_or(String::new(), |place| format!("{place}: "))
 }
 
 fn list(tried: &[Attempt]) -> String {
@@ -164,6 +239,37 @@ impl Error {
             place,
             what: what.into(),
             remedy: remedy.into(),
+            source: None,
+        }
+    }
+
+    /// The same error of a file, with the system's as its source.
+    #[must_use]
+    pub(crate) fn caused_by(mut self, error: io::Error) -> Self {
+        if let Self::Input { source, .. } | Self::Output { source, .. } = &mut self {
+            *source = Some(error);
+        }
+        self
+    }
+
+    /// An option whose value it cannot have.
+    pub fn option(
+        option: impl Into<String>,
+        what: impl Into<String>,
+        remedy: impl Into<String>,
+    ) -> Self {
+        Self::Option {
+            option: option.into(),
+            what: what.into(),
+            remedy: remedy.into(),
+        }
+    }
+
+    /// A step of a listing that needs an earlier one.
+    pub(crate) fn out_of_order(what: impl Into<String>, remedy: impl Into<String>) -> Self {
+        Self::OutOfOrder {
+            what: what.into(),
+            remedy: remedy.into(),
         }
     }
 
@@ -173,5 +279,24 @@ impl Error {
             what: what.into(),
             remedy: remedy.into(),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::error::Error as _;
+
+    use super::*;
+
+    #[test]
+    fn what_the_system_said_is_the_source_of_the_error() {
+        let path = std::env::temp_dir().join("onionskin-has-no-such-file.png");
+        let error = crate::image::Image::load(&path).unwrap_err();
+        let source = error
+            .source()
+            .and_then(|source| source.downcast_ref::<io::Error>());
+        assert_eq!(source.map(io::Error::kind), Some(io::ErrorKind::NotFound));
+        let error = Error::input(Place::file(&path), "it is empty", "fill it");
+        assert!(error.source().is_none());
     }
 }

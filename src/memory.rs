@@ -48,8 +48,6 @@ const OF_A_SMALL_FILE: u64 = 192 << 20;
 /// permission.
 const MOST_FOR_A_BYTE: u64 = 192;
 
-const REMEDY: &str = "Ask for less, or allow more memory with --max-memory.";
-
 impl Default for MemoryLimit {
     fn default() -> Self {
         Self::of_machine()
@@ -128,17 +126,23 @@ impl MemoryLimit {
 impl Shortage {
     /// The error at a place in a file. `what` is in the plural, as in '20 triangles'.
     pub fn at(self, place: Place, what: impl fmt::Display) -> Error {
-        Error::input(place, self.sentence(what), REMEDY)
+        self.error(Some(place), what)
     }
 
     /// The error for something that is in no file.
     pub fn of(self, what: impl fmt::Display) -> Error {
-        Error::usage(self.sentence(what), REMEDY)
+        self.error(None, what)
     }
 
-    /// What is wrong and what to do, for an error that gets its place later.
-    pub(crate) fn words(self, what: impl fmt::Display) -> (String, &'static str) {
-        (self.sentence(what), REMEDY)
+    fn error(self, place: Option<Place>, what: impl fmt::Display) -> Error {
+        let Self { wanted, left } = self;
+        let what = self.sentence(what);
+        Error::Memory {
+            place,
+            what,
+            wanted,
+            left,
+        }
     }
 
     fn sentence(self, what: impl fmt::Display) -> String {
@@ -295,6 +299,9 @@ mod tests {
         let text = error.to_string();
         assert!(text.contains("20 triangles take 3.0 GiB"), "{text}");
         assert!(text.contains("1.5 GiB"), "{text}");
-        assert!(text.contains("--max-memory"), "{text}");
+        assert!(text.contains("allow more memory"), "{text}");
+        assert!(
+            matches!(error, Error::Memory { wanted, left, .. } if wanted == 3 << 30 && left == 3 << 29)
+        );
     }
 }

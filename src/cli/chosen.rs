@@ -86,7 +86,7 @@ fn refusal(method: Method, name: &str) -> Error {
 /// The error, with the option's name.
 fn named(name: &str, error: Error) -> Error {
     match error {
-        Error::Usage { what, remedy } => Error::usage(format!("--{name}: {what}"), remedy),
+        Error::Usage { what, remedy } => Error::option(name, what, remedy),
         error => error,
     }
 }

@@ -31,7 +31,7 @@ impl FrameFolder {
     pub(super) fn open(path: &Path, identity: &[(&'static str, String)]) -> Result<Self> {
         match fs::create_dir(path) {
             Err(error) if error.kind() != ErrorKind::AlreadyExists || !path.is_dir() => {
-                return Err(unwritable(path, &error));
+                return Err(unwritable(path, error));
             }
             _ => {}
         }
@@ -47,14 +47,14 @@ impl FrameFolder {
         };
         let folder = Self {
             path: path.to_owned(),
-            held: hold().map_err(|error| unwritable(path, &error))?,
+            held: hold().map_err(|error| unwritable(path, error))?,
         };
         folder.expect(&kept, identity)?;
         Ok(folder)
     }
 
     fn expect(&self, kept: &Path, identity: &[(&'static str, String)]) -> Result<()> {
-        let there = fs::read_to_string(kept).map_err(|error| unwritable(kept, &error))?;
+        let there = fs::read_to_string(kept).map_err(|error| unwritable(kept, error))?;
         let lines: Vec<&str> = there.lines().collect();
         for (key, value) in identity {
             let wanted = format!("{key} = {value}");
@@ -98,7 +98,7 @@ impl FrameFolder {
         let (mut table, mut rows) = (String::new(), 0);
         for number in (0..frames).filter(|&number| self.has(number)) {
             let path = self.row(number);
-            let row = fs::read_to_string(&path).map_err(|error| unwritable(&path, &error))?;
+            let row = fs::read_to_string(&path).map_err(|error| unwritable(&path, error))?;
             let skipped = usize::from(!table.is_empty());
             for line in row.lines().skip(skipped) {
                 table += line;
@@ -150,10 +150,11 @@ fn found(kept: &Path, identity: &[(&'static str, String)]) -> std::io::Result<()
     }
 }
 
-fn unwritable(path: &Path, error: &std::io::Error) -> Error {
+fn unwritable(path: &Path, error: std::io::Error) -> Error {
     Error::Output {
         path: path.to_owned(),
         what: error.to_string(),
         remedy: "Name a folder that can be written to, in one that is there.".into(),
+        source: Some(error),
     }
 }

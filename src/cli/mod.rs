@@ -9,6 +9,7 @@ mod complexity;
 mod doctor;
 mod driver_report;
 mod encoding;
+mod flags;
 mod frame_folder;
 mod frame_row;
 mod licences;

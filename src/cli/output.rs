@@ -9,6 +9,8 @@ use onionskin::error::{printable, printable_json, printable_lines};
 use onionskin::{Error, Result};
 use serde::Serialize;
 
+use super::flags::explained;
+
 /// Prints a result. Its reader may stop before the end (`| head`), which is not an error.
 pub(super) fn say(text: impl Display) -> Result<()> {
     print(&printable_lines(&text.to_string()))
@@ -28,7 +30,7 @@ pub(super) fn note(text: impl Display) {
 
 /// Prints the error that there is instead of a result.
 pub(super) fn fail(error: &Error) {
-    complain(&format!("onionskin: {error}"));
+    complain(&format!("onionskin: {}", explained(error)));
 }
 
 /// If standard error is broken, nobody can be told, and the exit code says enough.
@@ -43,6 +45,7 @@ fn print(text: &str) -> Result<()> {
             path: "standard output".into(),
             what: error.to_string(),
             remedy: "check where it is redirected to, and that the disk has room".into(),
+            source: Some(error),
         }),
         _ => Ok(()),
     }

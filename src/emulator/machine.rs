@@ -137,17 +137,17 @@ impl Emulator {
     }
 
     fn plane(&self, map: Map) -> Result<usize> {
-        self.names.get(&map).copied().ok_or_else(|| {
-            Error::usage(
-                format!("the listing names the map '{map}', which does not exist"),
-                "allocate it first",
-            )
-        })
+        self.names
+            .get(&map)
+            .copied()
+            .ok_or_else(|| Error::UnknownMap {
+                map: map.to_string(),
+            })
     }
 
     fn attached(&self) -> Result<Attached> {
         let target = self.target.ok_or_else(|| {
-            Error::usage(
+            Error::out_of_order(
                 "the listing draws or clears before it chooses a framebuffer",
                 "glBindFramebuffer comes first",
             )
@@ -187,7 +187,7 @@ impl Emulator {
 
     fn draw(&mut self, objects: Objects) -> Result<()> {
         let program = self.program.ok_or_else(|| {
-            Error::usage(
+            Error::out_of_order(
                 "the listing draws before it chooses a program",
                 "glUseProgram comes first",
             )
@@ -346,7 +346,7 @@ impl Machine for Emulator {
     fn samples(&mut self, query: Query) -> Result<u64> {
         self.queries.get(&query).copied().ok_or_else(|| {
             let what = format!("the listing asks the query '{}' before it is made", query.0);
-            Error::usage(what, "glBeginQuery and glEndQuery come first")
+            Error::out_of_order(what, "glBeginQuery and glEndQuery come first")
         })
     }
 }

@@ -185,7 +185,7 @@ impl<'a> Run<'a> {
 
     fn get(&self, variable: &'static str, here: Here<'_>) -> Result<f32> {
         let unset = || {
-            Error::usage(
+            Error::out_of_order(
                 format!("the algorithm reads {variable} before it is set"),
                 "set it for all pixels first",
             )

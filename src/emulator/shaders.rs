@@ -64,12 +64,9 @@ pub(super) fn twin(Shader(name): Shader) -> Result<Twin> {
         .iter()
         .find(|(file, _)| *file == name)
         .map(|(_, twin)| *twin)
-        .ok_or_else(|| {
-            let names = TWINS.map(|(file, _)| file).join(", ");
-            Error::usage(
-                format!("the emulated pixel has no twin of the shader '{name}'"),
-                format!("it has {names}"),
-            )
+        .ok_or_else(|| Error::NoTwin {
+            shader: name.into(),
+            known: TWINS.map(|(file, _)| file).to_vec(),
         })
 }
 

@@ -97,7 +97,7 @@ impl GlMachine<'_> {
                 | Objects::Proxies,
             ) => {
                 let no_scene = || {
-                    Error::usage(
+                    Error::out_of_order(
                         "the listing draws a scene before there is one",
                         "set_geometry first",
                     )

@@ -91,9 +91,9 @@ impl Drop for Making<'_> {
 
 /// An object's name, or an error if there was none left. Drivers give out names until they have lost their device.
 pub(super) fn named<T>(kind: &str, made: Result<T, String>) -> Result<T> {
-    made.map_err(|what| Error::Driver {
-        what: format!("the driver makes no {kind}: {what}"),
-        remedy: "it is out of memory or lost: close what else uses the GPU, then start anew".into(),
+    made.map_err(|what| Error::Lost {
+        doing: format!("make a {kind}"),
+        answer: what,
     })
 }
 

@@ -23,12 +23,12 @@ impl Maps {
     }
 
     pub(super) fn get(&self, map: Map) -> Result<Texture> {
-        self.textures.get(&map).copied().ok_or_else(|| {
-            Error::usage(
-                format!("the listing names the map '{map}', which does not exist"),
-                "allocate it first",
-            )
-        })
+        self.textures
+            .get(&map)
+            .copied()
+            .ok_or_else(|| Error::UnknownMap {
+                map: map.to_string(),
+            })
     }
 
     /// Makes a map, unless it is there in this format.

@@ -47,7 +47,7 @@ impl Programs {
     pub(super) fn current(&self) -> Result<&ProgramSet> {
         let linked = self.current.as_ref().and_then(|key| self.linked.get(key));
         linked.ok_or_else(|| {
-            Error::usage(
+            Error::out_of_order(
                 "the listing draws before it chooses a program",
                 "glUseProgram comes first",
             )

@@ -50,7 +50,7 @@ impl Queries {
     pub(super) fn samples(&self, gl: &glow::Context, query: Query) -> Result<u64> {
         let raw = self.made.get(&query).copied().ok_or_else(|| {
             let what = format!("the listing asks the query '{}' before it is made", query.0);
-            Error::usage(what, "glBeginQuery and glEndQuery come first")
+            Error::out_of_order(what, "glBeginQuery and glEndQuery come first")
         })?;
         // SAFETY: the query has begun and ended.
         Ok(unsafe { gl.get_query_parameter_u64(raw, glow::QUERY_RESULT) })

@@ -218,15 +218,12 @@ impl Storages {
     }
 
     fn get(&self, storage: Storage) -> Result<StorageBuffer> {
-        self.0.get(&storage).copied().ok_or_else(|| {
-            Error::usage(
-                format!(
-                    "the listing names the buffer '{}', which does not exist",
-                    storage.0
-                ),
-                "allocate it first",
-            )
-        })
+        self.0
+            .get(&storage)
+            .copied()
+            .ok_or_else(|| Error::UnknownBuffer {
+                buffer: storage.0.into(),
+            })
     }
 
     pub(super) fn bytes(&self) -> u64 {

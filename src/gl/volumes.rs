@@ -111,7 +111,7 @@ impl<'c> Volumes<'c> {
 }
 
 fn expect_room_for(context: &Context, count: u32) -> Result<()> {
-    let remedy = "leave some volumes out, or render with -m exact, which takes any number";
+    let remedy = "leave some volumes out, or render with the method exact, which takes any number";
     if count > MOST_VOLUMES {
         return Err(Error::usage(
             format!(

@@ -79,6 +79,7 @@ impl Image {
                 path: path.to_owned(),
                 what: error.to_string(),
                 remedy: "render it smaller, or as another kind of picture".into(),
+                source: None,
             })?;
         write_whole(path, buffer.get_ref())
     }

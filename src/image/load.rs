@@ -96,9 +96,12 @@ fn format_of(path: &Path) -> Result<ImageFormat> {
 
 /// Opens a file. Folders, and things that block or never end, are refused.
 fn open(path: &Path) -> Result<BufReader<File>> {
-    let unreadable = |error: std::io::Error| match with_slashes(path) {
-        Some(remedy) => Error::input(Place::file(path), "there is no such file", remedy),
-        None => wrong(path, format!("cannot read it: {error}")),
+    let unreadable = |error: std::io::Error| {
+        match with_slashes(path) {
+            Some(remedy) => Error::input(Place::file(path), "there is no such file", remedy),
+            None => wrong(path, format!("cannot read it: {error}")),
+        }
+        .caused_by(error)
     };
     let there = std::fs::metadata(path).map_err(unreadable)?;
     if !there.is_file() || there.len() > MAX_BYTES {

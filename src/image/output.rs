@@ -27,7 +27,7 @@ const MOST_LINKS: usize = 40;
 
 /// Writes a file whole or not at all. Until the new file is whole, the old one is still there.
 pub(crate) fn write_whole(path: &Path, bytes: &[u8]) -> Result<()> {
-    let wrong = |error: io::Error| unwritable(path, error.to_string());
+    let wrong = |error: io::Error| refused_by_system(path, error);
     let place = destination(path)?;
     let mut file = Unfinished::beside(&place).map_err(wrong)?;
     file.write_all(bytes).map_err(wrong)?;
@@ -41,7 +41,7 @@ pub(crate) fn write_whole(path: &Path, bytes: &[u8]) -> Result<()> {
 pub fn check_writable(path: &Path) -> Result<()> {
     let place = destination(path)?;
     sweep(folder_of(&place));
-    Unfinished::beside(&place).map_err(|error| unwritable(path, error.to_string()))?;
+    Unfinished::beside(&place).map_err(|error| refused_by_system(path, error))?;
     Ok(())
 }
 
@@ -225,7 +225,12 @@ fn special(path: &Path) -> Error {
         path: path.to_owned(),
         what: "there is a pipe or a device of that name, not a file".into(),
         remedy: "name a file; results are written whole or not at all".into(),
+        source: None,
     }
+}
+
+fn refused_by_system(path: &Path, error: io::Error) -> Error {
+    unwritable(path, error.to_string()).caused_by(error)
 }
 
 fn unwritable(path: &Path, what: String) -> Error {
@@ -235,6 +240,7 @@ fn unwritable(path: &Path, what: String) -> Error {
         remedy:
             "check that the folder exists, that you may write there, and that the disk has room"
                 .into(),
+        source: None,
     }
 }
 

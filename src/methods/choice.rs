@@ -40,7 +40,7 @@ impl Choice {
 pub(super) const AS_PRINTED: Choice = Choice {
     name: "as-printed",
     takes: Takes::Nothing,
-    help: "Run the paper's text without amendments. Everitt's needs --peels, because it cannot find out when to stop. \
+    help: "Run the paper's text without amendments. Everitt's needs a number of peels, because it cannot find out when to stop. \
            Loops that would never end are given up",
 };
 

@@ -257,9 +257,10 @@ pub(super) const IMPROVE: Choice = Choice {
 /// If both are chosen.
 pub(super) fn one_of_both(as_printed: bool, improved: bool) -> Result<()> {
     if as_printed && improved {
-        return Err(Error::usage(
-            "the paper as printed has none of the improvements: --as-printed and --improve exclude each other",
-            "choose one of them",
+        return Err(Error::option(
+            "improve",
+            "the paper as printed has none of the improvements",
+            "leave them out, or let the paper be amended",
         ));
     }
     Ok(())

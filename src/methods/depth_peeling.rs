@@ -263,21 +263,24 @@ impl Technique for DepthPeelingOptions {
                 "the occlusion ratio {} is not between 0 and 1",
                 self.occlusion_ratio
             );
-            return Err(Error::usage(
+            return Err(Error::option(
+                "occlusion-ratio",
                 what,
                 "0 is exact; 0.01 ignores peels that change less than 1% of the image",
             ));
         }
         if self.as_printed && self.depth_unit_0 != DepthUnit0::Sampler {
-            return Err(Error::usage(
+            return Err(Error::option(
+                "depth-unit-0",
                 "Listing 1 as printed has depth units of its own",
-                "leave out one of the two: --as-printed, or --depth-unit-0",
+                "leave it out, or let the listing be amended",
             ));
         }
         if self.as_printed && self.maximum_number_of_peels == 0 {
-            return Err(Error::usage(
+            return Err(Error::option(
+                "peels",
                 "Listing 1 as printed has no way to find out when to stop",
-                "say how many passes it makes: --peels 4 gives the four layers of its figure 3",
+                "say how many passes it makes: 4 give the four layers of its figure 3",
             ));
         }
         Ok(())

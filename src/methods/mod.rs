@@ -14,11 +14,11 @@
 //! | `coherent-layer-peeling-a` | Carr et al. 2008, section 5 | yes; volumes as slices: no, an error of order 1 in the slices' distance | order of submission after sorting |  | pixels + triangles |
 //! | `coherent-layer-peeling-b` | Carr et al. 2008, section 6 | yes; volumes as slices: no, an error of order 1 in the slices' distance | order of submission after sorting |  | pixels + triangles |
 //! | `ideal-coherent-layer-peeling` | Carr et al. 2008, Algorithm 2 | yes; volumes as slices: no, an error of order 1 in the slices' distance | order of submission after sorting |  | pixels + triangles |
-//! | `ffb`, `ffb+ppao` | Lindholm et al. 2015 | yes, volumes by rays, too, up to 64 fragments a pixel (--array) | order of submission | the first submitted | pixels x layers, in bands |
+//! | `ffb`, `ffb+ppao` | Lindholm et al. 2015 | yes, volumes by rays, too, up to 64 fragments a pixel (option array) | order of submission | the first submitted | pixels x layers, in bands |
 //! | `ffb+ppdp`, `ffb+ppao+ppdp` | Lindholm et al. 2015 | yes, volumes by rays, too | order of submission |  | pixels x layers, in bands |
-//! | `dfb`, `dfb+ppao` | Lindholm et al. 2015 | yes, volumes by rays, too, up to 64 fragments a pixel (--array) | order of submission | the first submitted | pixels + fragments, in bands |
+//! | `dfb`, `dfb+ppao` | Lindholm et al. 2015 | yes, volumes by rays, too, up to 64 fragments a pixel (option array) | order of submission | the first submitted | pixels + fragments, in bands |
 //! | `dfb+ppdp`, `dfb+ppao+ppdp`, `ppll+ppdp`, `ppll+ppao+ppdp` | Lindholm et al. 2015 | yes, volumes by rays, too | order of submission |  | pixels + fragments, in bands |
-//! | `ppll`, `ppll+ppao` | Lindholm et al. 2015 | yes, volumes by rays, too, up to 64 fragments a pixel (--array) | order of submission | the last submitted | pixels + fragments, in bands |
+//! | `ppll`, `ppll+ppao` | Lindholm et al. 2015 | yes, volumes by rays, too, up to 64 fragments a pixel (option array) | order of submission | the last submitted | pixels + fragments, in bands |
 //! | `exact` | the oracle | yes, volumes by rays, too | order of submission |  | fragments, in pieces |
 //! <!-- /methods -->
 //!

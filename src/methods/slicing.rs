@@ -15,7 +15,8 @@ pub(super) fn check(count: u32) -> Result<()> {
     if (1..=MOST_SLICES).contains(&count) {
         return Ok(());
     }
-    Err(Error::usage(
+    Err(Error::option(
+        "slices",
         format!("volumes cannot be drawn as {count} slices"),
         format!("choose from 1 to {MOST_SLICES}"),
     ))
@@ -43,12 +44,10 @@ fn refusal(scene: &Scene, method: &Entry) -> Error {
     let able: Vec<_> = able.map(|entry| entry.name).collect();
     let mut remedy = format!("volumes are rendered by: {}", able.join(", "));
     if method.volumes.take_slices() {
-        remedy += &format!(
-            "; or have {} draw them as N slices, with --slices N",
-            method.name
-        );
+        remedy += &format!("; or have {} draw them as N slices", method.name);
     }
-    Error::usage(
+    Error::option(
+        "slices",
         format!(
             "{} draws surfaces only, and the scene has volumes ({})",
             method.name,

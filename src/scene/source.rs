@@ -1,7 +1,7 @@
 //! Reading a file that a person named: once, whole, and never more than [`MAX_BYTES`] of it.
 
 use std::fs::{self, File};
-use std::io::{ErrorKind, Read};
+use std::io::{self, ErrorKind, Read};
 use std::path::Path;
 
 use crate::error::{Error, Place, Result, with_slashes};
@@ -17,18 +17,18 @@ const HEAD: u64 = 4096;
 /// The bytes of a text file: one without a NUL in its first bytes.
 pub(super) fn read(path: &Path, memory: &MemoryLimit) -> Result<Vec<u8>> {
     expect_readable(path, memory)?;
-    read_text(path).map_err(|error| unreadable(path, &error))?
+    read_text(path).map_err(|error| unreadable(path, error))?
 }
 
 /// The bytes of any file.
 pub(super) fn read_bytes(path: &Path, memory: &MemoryLimit) -> Result<Vec<u8>> {
     expect_readable(path, memory)?;
-    let read = || -> std::io::Result<Vec<u8>> {
+    let read = || -> io::Result<Vec<u8>> {
         let mut bytes = Vec::new();
         File::open(path)?.take(MAX_BYTES).read_to_end(&mut bytes)?;
         Ok(bytes)
     };
-    read().map_err(|error| unreadable(path, &error))
+    read().map_err(|error| unreadable(path, error))
 }
 
 pub(super) fn stem(path: &Path) -> String {
@@ -37,7 +37,7 @@ pub(super) fn stem(path: &Path) -> String {
 }
 
 fn expect_readable(path: &Path, memory: &MemoryLimit) -> Result<()> {
-    let metadata = fs::metadata(path).map_err(|error| unreadable(path, &error))?;
+    let metadata = fs::metadata(path).map_err(|error| unreadable(path, error))?;
     if metadata.is_dir() {
         let what = "this is a directory, not a file";
         return Err(refused(path, what, "Name the file in it that you mean."));
@@ -63,7 +63,7 @@ fn expect_readable(path: &Path, memory: &MemoryLimit) -> Result<()> {
 }
 
 /// The outer error comes from the system, the inner one from here.
-fn read_text(path: &Path) -> std::io::Result<Result<Vec<u8>>> {
+fn read_text(path: &Path) -> io::Result<Result<Vec<u8>>> {
     let mut file = File::open(path)?;
     let mut bytes = Vec::new();
     file.by_ref().take(HEAD).read_to_end(&mut bytes)?;
@@ -100,27 +100,23 @@ fn encoding(head: &[u8]) -> Option<&'static str> {
     }
 }
 
-fn unreadable(path: &Path, error: &std::io::Error) -> Error {
-    if let Some(remedy) = with_slashes(path) {
-        return refused(path, "there is no such file", &remedy);
-    }
-    match error.kind() {
-        ErrorKind::NotFound => refused(
-            path,
-            "there is no such file",
-            "Check the spelling. Paths in a scene file start at the scene file's folder.",
+fn unreadable(path: &Path, error: io::Error) -> Error {
+    let (what, remedy) = match (with_slashes(path), error.kind()) {
+        (Some(meant), _) => ("there is no such file".into(), meant),
+        (None, ErrorKind::NotFound) => (
+            "there is no such file".into(),
+            "Check the spelling. Paths in a scene file start at the scene file's folder.".into(),
         ),
-        ErrorKind::PermissionDenied => refused(
-            path,
-            "the file may not be read",
-            "Check its permissions and those of its folders.",
+        (None, ErrorKind::PermissionDenied) => (
+            "the file may not be read".into(),
+            "Check its permissions and those of its folders.".into(),
         ),
-        _ => refused(
-            path,
-            &format!("the file cannot be read: {error}"),
-            "Check that the path names a readable file.",
+        _ => (
+            format!("the file cannot be read: {error}"),
+            "Check that the path names a readable file.".into(),
         ),
-    }
+    };
+    Error::input(Place::file(path), what, remedy).caused_by(error)
 }
 
 fn refused(path: &Path, what: &str, remedy: &str) -> Error {

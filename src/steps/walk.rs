@@ -187,7 +187,7 @@ impl<M: Machine> Walk<'_, M> {
 
     fn variable(&self, name: &'static str) -> Result<f64> {
         self.outcome.variables.get(name).ok_or_else(|| {
-            Error::usage(
+            Error::out_of_order(
                 format!("the listing reads the variable {name} before it is set"),
                 "set it in the listing, or in the variables it is run with",
             )

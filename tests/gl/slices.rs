@@ -316,10 +316,10 @@ fn what_draws_no_slices_says_so() {
                 let slices = (entry.name == "hybrid-layer-peeling").then_some(DEFAULT_SLICES);
                 assert_eq!(frame.stats.slices, slices, "{}", entry.name);
             }
-            Err(Error::Usage { remedy, .. }) => {
+            Err(Error::Option { remedy, .. }) => {
                 assert!(remedy.contains("hybrid-layer-peeling"), "{remedy}");
                 assert_eq!(
-                    remedy.contains("--slices N"),
+                    remedy.contains("as N slices"),
                     entry.name != "blend",
                     "{remedy}"
                 );

@@ -155,7 +155,7 @@ fn every_other_method_refuses_volumes_and_names_exact() {
             continue;
         }
         match result {
-            Err(Error::Usage { what, remedy }) => {
+            Err(Error::Option { what, remedy, .. }) => {
                 assert!(
                     what.contains(entry.name) && what.contains("volumes (2)"),
                     "{what}"

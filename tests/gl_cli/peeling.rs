@@ -88,7 +88,7 @@ fn options_that_a_method_does_not_have_are_refused_with_those_that_have_them() {
         "early-stop",
         "--as-printed",
     ])
-    .says(&["exclude each other"]);
+    .says(&["none of the improvements"]);
     refused(&["coherent-layer-peeling-a", "--sort", "buckets=0"])
         .says(&["'buckets=0'", "buckets=N"]);
     refused(&["coherent-layer-peeling-a", "--sort", "well"]).says(&["'well' is no way to sort"]);

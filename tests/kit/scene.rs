@@ -7,6 +7,7 @@ pub mod square;
 use std::path::PathBuf;
 
 use onionskin::Error;
+use onionskin::error::Place;
 use onionskin::scene::{Mesh, Scene};
 use tempfile::TempDir;
 
@@ -96,21 +97,29 @@ pub fn refused<T>(result: Result<T, Error>) -> Refused {
             place,
             what,
             remedy,
+            ..
         }) => {
             assert!(!remedy.is_empty());
-            Refused {
-                file: place
-                    .file
-                    .file_name()
-                    .map_or(String::new(), |f| f.to_string_lossy().into()),
-                line: place.line,
-                token: place.token,
-                what,
-                remedy,
-            }
+            told(place, what, remedy)
         }
+        Err(Error::Memory {
+            place: Some(place),
+            what,
+            ..
+        }) => told(place, what, "Ask for less, or allow more memory.".into()),
         Err(other) => panic!("not an input error: {other:?}"),
         Ok(_) => panic!("this was accepted"),
+    }
+}
+
+fn told(place: Place, what: String, remedy: String) -> Refused {
+    let file = place.file.file_name();
+    Refused {
+        file: file.map_or(String::new(), |f| f.to_string_lossy().into()),
+        line: place.line,
+        token: place.token,
+        what,
+        remedy,
     }
 }
 

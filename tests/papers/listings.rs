@@ -127,7 +127,7 @@ fn a_variable_that_was_never_set_is_an_error_that_names_it() {
         &mut recorder,
     )
     .unwrap_err();
-    assert!(matches!(error, Error::Usage { .. }));
+    assert!(matches!(error, Error::OutOfOrder { .. }));
     assert!(error.to_string().contains("num_passes"), "{error}");
 }
 

@@ -124,7 +124,7 @@ fn generators_of_legal_size_are_refused_before_they_take_memory() {
         let refused = over(200 << 20, &format!("[[mesh]]\n{keys}\n"))
             .says("triangles take")
             .says("200.0 MiB may be taken")
-            .suggests("--max-memory");
+            .suggests("allow more memory");
         assert_eq!(refused.line, Some(line), "{refused:?}");
     }
 }

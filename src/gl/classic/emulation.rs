@@ -59,7 +59,7 @@ impl Classic {
             Some(state) => state,
             None => {
                 let geometry = geometry.ok_or_else(|| {
-                    Error::usage(
+                    Error::out_of_order(
                         "classic matrices are asked for before there is a camera",
                         "set_geometry first",
                     )

@@ -57,7 +57,7 @@ impl<'m, 'c> FixedFunction<'m, 'c> {
         let (view, projection) = match &machine.geometry {
             Some(geometry) => (geometry.view.as_mat4(), geometry.projection.as_mat4()),
             None => {
-                return Err(Error::usage(
+                return Err(Error::out_of_order(
                     "the fixed functions are asked for before there is a camera",
                     "set_geometry first",
                 ));

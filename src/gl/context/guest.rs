@@ -51,9 +51,9 @@ impl Context {
     /// If it is not.
     pub(in crate::gl) fn enter(&self) -> Result<Away> {
         if let Some(current) = &self.current {
-            return current::enter(current).map_err(|answer| Error::Driver {
-                what: format!("the context cannot be made current: {answer}"),
-                remedy: "the driver is lost: begin with a new context".into(),
+            return current::enter(current).map_err(|answer| Error::Lost {
+                doing: "make the context current".into(),
+                answer: answer.to_string(),
             });
         }
         self.expect_current()?;

@@ -238,10 +238,11 @@ impl std::str::FromStr for Backend {
         match name {
             "egl" => Ok(Self::Egl),
             "osmesa" => Ok(Self::OsMesa),
-            _ => Err(Error::usage(
+            _ => Err(Error::option(
+                "backend",
                 format!("there is no backend '{name}'"),
                 format!(
-                    "use egl or osmesa (argument --backend, or environment variable {BACKEND_VARIABLE})"
+                    "use egl or osmesa, here or in the environment variable {BACKEND_VARIABLE}"
                 ),
             )),
         }

@@ -36,7 +36,7 @@ pub(super) fn peel_that_fits(renderer: &str, peel: u32, complexity: u32) -> Resu
                 "a pixel has {complexity} fragments, and this driver ({renderer}) ends a shader's loops after 65535 \
                  iterations"
             ),
-            remedy: "peel its layers instead (-m depth-peeling), or render on another driver"
+            remedy: "peel its layers instead (depth-peeling), or render on another driver"
                 .into(),
         })
 }
@@ -68,7 +68,7 @@ pub(super) fn expect_keeping_fits(renderer: &str, array: u32, complexity: u32) -
             "the nearest of a pixel's {complexity} fragments are not to be found: this driver ({renderer}) ends a shader's \
              loops after 65535 iterations"
         ),
-        remedy: "keep the first of each list instead, or peel the layers (-m depth-peeling)".into(),
+        remedy: "keep the first of each list instead, or peel the layers (depth-peeling)".into(),
     })
 }
 
@@ -104,7 +104,7 @@ pub(super) fn expect_samples_fit(renderer: &str, volumes: &[Volume]) -> Result<(
             "a ray may take {samples} samples in the volumes, and this driver ({renderer}) ends the loops of the \
              {TOGETHER} pixels that it shades together after 65535 iterations"
         ),
-        remedy: "give the volumes a larger step, or render with -m exact".into(),
+        remedy: "give the volumes a larger step, or render with the method exact".into(),
     })
 }
 

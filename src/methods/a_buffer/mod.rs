@@ -377,7 +377,7 @@ const fn entry(name: &'static str, manager: Manager, pp_dp: bool) -> Entry {
         exact: true,
         exactness: match pp_dp {
             true => EXACT_BY_RAYS,
-            false => "yes, volumes by rays, too, up to 64 fragments a pixel (--array)",
+            false => "yes, volumes by rays, too, up to 64 fragments a pixel (option array)",
         },
         ties: Ties::InOrder,
         memory: match manager {
@@ -430,25 +430,25 @@ impl Technique for ABufferOptions {
     fn check(&self) -> Result<()> {
         let array = self.array;
         if !(1..=256).contains(&array) || !array.is_power_of_two() {
-            return Err(Error::usage(
+            return Err(Error::option("array", 
                 format!("a local array of {array} fragments is not to be had"),
                 "choose 1, 2, 4, 8 ... 256; 64 is usual, and ppDP takes what is deeper",
             ));
         }
         if self.pp_ao && array < SMALLEST_SEGMENT {
-            return Err(Error::usage(
+            return Err(Error::option("array", 
                 format!("ppAO's last segment cannot be {array}: its first is {SMALLEST_SEGMENT}"),
                 "choose an array of 8, 16, 32 ...",
             ));
         }
         if !(1..=64).contains(&self.peel) {
-            return Err(Error::usage(
+            return Err(Error::option("peel", 
                 format!("ppDP cannot peel {} fragments at a time", self.peel),
                 "choose 1 to 64; 8 is usual",
             ));
         }
         if self.keep == Keep::Nearest && (self.pp_dp || self.as_printed) {
-            return Err(Error::usage(
+            return Err(Error::option("keep", 
                 match self.pp_dp {
                     true => {
                         "ppDP drops no fragment, so there are none of which the nearest could be kept"
@@ -461,7 +461,7 @@ impl Technique for ABufferOptions {
             ));
         }
         if !(0.0..=1.0).contains(&self.termination) {
-            return Err(Error::usage(
+            return Err(Error::option("termination", 
                 format!(
                     "the transparency {} at which a ray ends is not between 0 and 1",
                     self.termination
@@ -470,7 +470,7 @@ impl Technique for ABufferOptions {
             ));
         }
         if self.budget == Some(0) {
-            return Err(Error::usage(
+            return Err(Error::option("budget", 
                 "no fragment fits into a budget of 0 bytes",
                 "leave the budget out, or give it some megabytes",
             ));

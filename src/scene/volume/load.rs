@@ -139,12 +139,13 @@ mod tests {
             assert_eq!(memory.left(), (1 << 20) - 96, "{name}");
             let full = MemoryLimit::of((1 << 20) + 95);
             full.take(1 << 20).unwrap();
-            let (what, _) = Wish {
+            let error = Wish {
                 memory: &full,
                 ..wish
             }
-            .expect_room(24, Stored::of(&[0; 96]))
+            .expect_room(24, Stored::of(&[0; 96]), Place::file(&path))
             .unwrap_err();
+            let what = error.to_string();
             assert!(what.contains("24 samples take 96 bytes"), "{what}");
             assert!(what.contains("no more than 95 bytes"), "{what}");
         }

@@ -30,9 +30,9 @@ pub(in crate::scene) struct Wish<'a> {
 }
 
 impl Wish<'_> {
-    /// Asks for room for so many samples of these files. A reader calls it after the header was read and before
+    /// Asks for room for so many samples of these files. `place` is where a header gives their number. A reader calls it after the header was read and before
     /// anything is allocated.
-    pub(super) fn expect_room(&self, samples: usize, files: Stored) -> Result<(), Fault> {
+    pub(super) fn expect_room(&self, samples: usize, files: Stored, place: Place) -> Result<()> {
         let bytes = samples as u64 * size_of::<f32>() as u64;
         let room = if gzip::can_hold(files.read, samples as u64) {
             self.memory.take_from_files(bytes, files.distinct)
@@ -40,7 +40,7 @@ impl Wish<'_> {
             // The files are cut off, and their reader reports it.
             self.memory.take(bytes)
         };
-        room.map_err(|shortage| shortage.words(format_args!("{samples} samples")))
+        room.map_err(|shortage| shortage.at(place, format_args!("{samples} samples")))
     }
 
     /// Reads another file that the first one names.

@@ -30,8 +30,8 @@ pub(super) fn read(path: &Path, bytes: &[u8], wish: &Wish) -> Result<Loaded> {
         Header::read(path, bytes)?
     };
     let layout = layout(path, &header)?;
-    wish.expect_room(layout.count(), Stored::of(bytes))
-        .map_err(|fault| too_large(path, fault))?;
+    let place = Place::file(path).token("dim");
+    wish.expect_room(layout.count(), Stored::of(bytes), place)?;
     let mut samples = if packed {
         unpack(path, bytes, &header, &layout)?
     } else {

@@ -39,8 +39,8 @@ pub(super) fn read(path: &Path, bytes: &[u8], wish: &Wish) -> Result<Loaded> {
         endian: endian(&header, stored, encoding)?,
     };
     let files = Files::of(&header, &axes)?;
-    wish.expect_room(layout.count(), files.stored(&header, bytes))
-        .map_err(|(what, remedy)| header.wrong("sizes", what, remedy))?;
+    let stored = files.stored(&header, bytes);
+    wish.expect_room(layout.count(), stored, header.place("sizes"))?;
     let samples = samples(&header, &layout, encoding, &files, bytes, wish)?;
     let placement = placement::read(&header, &axes)?;
     let mut notices = header.notices();

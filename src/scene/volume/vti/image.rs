@@ -40,14 +40,14 @@ impl Image {
         files: Stored,
     ) -> Result<Block> {
         let block = kind.block(self.extent);
-        let checked = check::dims(block.dims()).and_then(|count| wish.expect_room(count, files));
-        checked.map_err(|(what, remedy)| {
+        let count = check::dims(block.dims()).map_err(|(what, remedy)| {
             let what = match kind {
                 Kind::Points => what,
                 Kind::Cells => format!("{what}, in the middles of the cells"),
             };
             document.wrong("WholeExtent", what, remedy)
         })?;
+        wish.expect_room(count, files, document.place("WholeExtent"))?;
         Ok(block)
     }
 
