@@ -275,7 +275,7 @@ fn an_occlusion_ratio_out_of_range() {
 #[test]
 fn listing_1_as_printed_that_is_not_told_when_to_stop() {
     refused_arguments(&["render", "m.obj", "-o", "new.png", "--as-printed"])
-        .says(&["no way to find out when to stop", "--peels 4"]);
+        .says(&["no way to find out when to stop", "--peels"]);
 }
 
 #[test]
