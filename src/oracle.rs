@@ -20,6 +20,19 @@ use crate::fragment::{Fragment, Rgba};
 ///
 /// The fragments are sorted by depth, and by order of submission if their depths are equal. Fragments at or behind
 /// `opaque_depth` are left out. Each fragment then goes under those before it: `C += (1 - A) a c`, `A += (1 - A) a`.
+///
+/// ```
+/// use onionskin::fragment::{Fragment, Rgba};
+/// use onionskin::oracle::composite;
+///
+/// let glass = |depth, color, order| Fragment { depth, color, order };
+/// let mut fragments = vec![
+///     glass(0.5, Rgba::new(0.0, 1.0, 0.0, 0.5), 0),
+///     glass(0.25, Rgba::new(1.0, 0.0, 0.0, 0.5), 1),
+/// ];
+/// let color = composite(&mut fragments, 1.0, Rgba::opaque([1.0; 3]));
+/// assert_eq!(color, [0.75, 0.5, 0.25, 1.0]);
+/// ```
 pub fn composite(fragments: &mut Vec<Fragment>, opaque_depth: f32, background: Rgba) -> [f64; 4] {
     fragments.retain(|fragment| fragment.depth < opaque_depth);
     fragments.sort_by(|a, b| a.depth.total_cmp(&b.depth).then(a.order.cmp(&b.order)));

@@ -23,6 +23,20 @@ pub struct Camera {
 }
 
 impl Camera {
+    /// A camera at `eye` that looks at `target`: y is up, the field of view is 30 degrees, and the planes are at a
+    /// hundredth and at a hundred times the distance between the two.
+    pub fn looking(eye: DVec3, target: DVec3) -> Self {
+        let distance = eye.distance(target);
+        Self {
+            eye,
+            target,
+            up: DVec3::Y,
+            fov: 30.0,
+            near: distance / 100.0,
+            far: distance * 100.0,
+        }
+    }
+
     /// World to eye space (right-handed, looking down -z).
     pub fn view(&self) -> DMat4 {
         view::look_at_mat4(self.eye, self.target, self.up)

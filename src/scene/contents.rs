@@ -7,6 +7,23 @@ use super::mesh::Mesh;
 use super::volume::Volume;
 
 /// Everything that an image depends on.
+///
+/// The exact image of triangles of one's own:
+///
+/// ```
+/// use onionskin::fragment::Rgba;
+/// use onionskin::scene::{Camera, Mesh, Vertex};
+/// use onionskin::{Context, Method, Renderer, Scene};
+///
+/// let corner = |x, y| Vertex { position: [x, y, 0.0].into(), ..Vertex::default() };
+/// let corners = vec![corner(-1.0, -1.0), corner(3.0, -1.0), corner(-1.0, 3.0)];
+/// let glass = Mesh::new("glass", corners, vec![[0, 1, 2]]).painted(Rgba::new(1.0, 0.0, 0.0, 0.5));
+/// let camera = Camera { near: 1.0, far: 10.0, ..Camera::looking([0.0, 0.0, 2.0].into(), [0.0; 3].into()) };
+/// let scene = Scene::new(camera, [8, 8]).with_background([1.0; 3]).with_mesh(glass);
+/// let image = Renderer::new(&Context::headless()?, 8, 8)?.render(&scene, &Method::Exact)?.image;
+/// assert_eq!(image.pixel(4, 4), Rgba::opaque([1.0, 0.5, 0.5]));
+/// # Ok::<(), onionskin::Error>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Scene {
     /// Name, for reports: the file's stem or the generator's name.
@@ -28,6 +45,28 @@ pub struct Scene {
 impl Scene {
     /// The image size, unless the caller asks for another.
     pub const DEFAULT_SIZE: [u32; 2] = [1024, 768];
+
+    /// A scene without anything in it, in front of black: `size` is the image's width and height in pixels.
+    pub fn new(camera: Camera, size: [u32; 2]) -> Self {
+        Self {
+            camera,
+            ..Self::of_size("scene", Vec::new(), size)
+        }
+    }
+
+    /// The same scene with a mesh added, submitted last.
+    #[must_use]
+    pub fn with_mesh(mut self, mesh: Mesh) -> Self {
+        self.meshes.push(mesh);
+        self
+    }
+
+    /// The same scene in front of another background, linear RGB.
+    #[must_use]
+    pub fn with_background(mut self, background: [f32; 3]) -> Self {
+        self.background = background;
+        self
+    }
 
     /// A scene of meshes in front of black, with a fitted camera.
     pub fn of(name: impl Into<String>, meshes: Vec<Mesh>) -> Self {
