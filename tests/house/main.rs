@@ -6,3 +6,4 @@ mod floors;
 mod imports;
 mod papers;
 mod readme;
+mod surface;
