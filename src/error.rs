@@ -281,22 +281,3 @@ impl Error {
         }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use std::error::Error as _;
-
-    use super::*;
-
-    #[test]
-    fn what_the_system_said_is_the_source_of_the_error() {
-        let path = std::env::temp_dir().join("onionskin-has-no-such-file.png");
-        let error = crate::image::Image::load(&path).unwrap_err();
-        let source = error
-            .source()
-            .and_then(|source| source.downcast_ref::<io::Error>());
-        assert_eq!(source.map(io::Error::kind), Some(io::ErrorKind::NotFound));
-        let error = Error::input(Place::file(&path), "it is empty", "fill it");
-        assert!(error.source().is_none());
-    }
-}

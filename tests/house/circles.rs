@@ -43,7 +43,7 @@ fn way(
         }
         if seen.insert(last.clone()) {
             let next = imports.get(last).into_iter().flat_map(BTreeMap::keys);
-            ways.extend(next.map(|next| [&way[..], &[next.clone()]].concat()));
+            ways.extend(next.map(|next| [&way[..], std::slice::from_ref(next)].concat()));
         }
     }
     None

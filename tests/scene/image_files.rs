@@ -336,3 +336,16 @@ fn a_data_window_far_larger_than_the_picture_is_refused_by_the_header() {
     );
     assert!(words.contains("4 x 3"), "{words}");
 }
+
+#[test]
+fn what_the_system_said_is_the_source_of_the_error() {
+    let folder = tempfile::tempdir().unwrap();
+    let error = Image::load(folder.path().join("none.png")).unwrap_err();
+    let source = std::error::Error::source(&error);
+    let source = source.and_then(|source| source.downcast_ref::<std::io::Error>());
+    let kind = source.map(std::io::Error::kind);
+    assert_eq!(kind, Some(std::io::ErrorKind::NotFound));
+    let error =
+        onionskin::Error::input(onionskin::error::Place::file("a"), "it is empty", "fill it");
+    assert!(std::error::Error::source(&error).is_none());
+}
