@@ -284,7 +284,7 @@ fn improve(options: &mut CoherentOptions, improvement: &str) -> Result<()> {
 fn no_improvement(text: &str) -> Error {
     Error::usage(
         format!("'{text}' is no improvement of variants A and B"),
-        "write tie-friendly, early-stop, or batches=N with N from 1 to 1000",
+        "write tie-friendly, early-stop, or batches=N with N from 1 to 1000 (tight-bound is for Algorithm 2)",
     )
 }
 

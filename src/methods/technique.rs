@@ -9,7 +9,70 @@ use crate::error::Result;
 
 /// A method with its options: its facts, and its algorithm.
 ///
-/// [`Method`](super::Method) is a technique for every published method. Each type of options is one, too.
+/// [`Method`](super::Method) is a technique for every published method. Each type of options is one, too. A method of
+/// one's own is one more: here light that is added up, whatever stands before it.
+///
+/// ```
+/// use onionskin::gl::GlMachine;
+/// use onionskin::methods::{Algorithm, Drawn, Entry, Memory, Setup, Technique, Ties, Volumes};
+/// use onionskin::papers::stage::OPAQUE_FIRST;
+/// use onionskin::scene::{Scene, generate};
+/// use onionskin::steps::{Dialect, Listing, Variables, gl::*, run};
+/// use onionskin::{Context, Renderer, Result, steps};
+///
+/// const ADD: Listing = Listing {
+///     title: "Light adds up",
+///     source: "my renderer",
+///     dialect: Dialect::Calls,
+///     steps: steps! {
+///         run OPAQUE_FIRST;
+///         glEnable(BLEND);
+///         glBlendFuncSeparate(SRC_ALPHA, ONE, ONE, ONE);
+///         drawTransparentObjects();
+///         glDisable(BLEND);
+///     },
+/// };
+///
+/// #[derive(Debug)]
+/// struct Glow;
+///
+/// impl Technique for Glow {
+///     fn entry(&self) -> &'static Entry {
+///         &Entry {
+///             name: "glow",
+///             source: "my renderer",
+///             exact: false,
+///             exactness: "no",
+///             ties: Ties::OverEarlier,
+///             memory: Memory::Pixels,
+///             volumes: Volumes::Refused,
+///             keeps: None,
+///             needs: &[],
+///         }
+///     }
+///
+///     fn algorithm(&self, _: &Setup) -> Box<dyn Algorithm> {
+///         Box::new(Glow)
+///     }
+/// }
+///
+/// impl Algorithm for Glow {
+///     fn prepare(&mut self, _: &mut GlMachine<'_>, _: &Scene) -> Result<()> {
+///         Ok(())
+///     }
+///
+///     fn draw(&mut self, machine: &mut GlMachine<'_>, _: &Scene) -> Result<Drawn> {
+///         run(&ADD, &[], Variables::new(), machine)?;
+///         Ok(Drawn::default())
+///     }
+/// }
+///
+/// let context = Context::headless()?;
+/// let quads = generate::quads(&generate::Quads::default())?;
+/// let frame = Renderer::new(&context, 64, 48)?.render(&Scene::of("quads", vec![quads]), &Glow)?;
+/// assert_eq!(frame.stats.lost, Some(0));
+/// # Ok::<(), onionskin::Error>(())
+/// ```
 pub trait Technique: fmt::Debug {
     /// The facts that are known before it runs.
     fn entry(&self) -> &'static Entry;

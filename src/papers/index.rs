@@ -33,6 +33,22 @@ every_paper!(index);
 /// The texts of a name, each with its full name. The name is that of a text, such as `everitt/listing-1`, or of a
 /// paper, such as `everitt`, for all of its texts.
 ///
+/// ```
+/// use onionskin::papers::texts;
+/// use onionskin::steps::{Recorder, Text, Variables, print, run};
+///
+/// let (name, text) = texts("everitt/listing-1")?.remove(0);
+/// let Text::Listing(listing, amendments) = text else {
+///     panic!("{name} is pseudocode");
+/// };
+/// println!("{}", print::listing(listing, amendments));
+/// // Its calls, one after the other; a `GlMachine` in place of the recorder draws.
+/// let mut calls = Recorder::new();
+/// run(listing, &[], Variables::new().with("num_passes", 2.0), &mut calls)?;
+/// assert!(calls.calls.len() > 20);
+/// # Ok::<(), onionskin::Error>(())
+/// ```
+///
 /// # Errors
 /// If there is none of that name. It says which was probably meant, and which there are.
 pub fn texts(name: &str) -> Result<Vec<(String, &'static Text)>> {

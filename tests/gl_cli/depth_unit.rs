@@ -92,7 +92,7 @@ fn options_that_a_method_does_not_have_are_refused() {
     ];
     desk()
         .refused(&as_printed)
-        .says(&["--as-printed", "--depth-unit-0"]);
+        .says(&["as printed", "--depth-unit-0"]);
 }
 
 #[test]

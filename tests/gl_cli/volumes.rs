@@ -126,7 +126,7 @@ fn slices_that_make_no_sense_are_refused() {
     render("dfb", "9").says(&["dfb casts rays", "--slices"]);
     render("blend", "9").says(&["blend", "order of submission"]);
     desk.refused(&["compare", "scene.toml", "-m", "painter"])
-        .says(&["painter draws surfaces only", "--slices N"]);
+        .says(&["--slices: painter draws surfaces only", "as N slices"]);
 }
 
 #[test]

@@ -10,6 +10,20 @@ impl Context {
     /// [`Frame::notices`](crate::Frame::notices) which errors OpenGL had pending before. What it cannot put back it refuses
     /// to begin with; see [`Context::visit`]. Who calls a [`GlMachine`](crate::gl::GlMachine) makes a visit of it.
     ///
+    /// ```no_run
+    /// use std::sync::Arc;
+    ///
+    /// use onionskin::{Context, Method, Renderer, Scene};
+    ///
+    /// fn exact_image(host: Arc<glow::Context>, scene: &Scene) -> onionskin::Result<onionskin::Image> {
+    ///     // SAFETY: the host's context is current on this thread until the function ends.
+    ///     let context = unsafe { Context::from_glow(host) }?;
+    ///     let [width, height] = scene.size;
+    ///     let frame = Renderer::new(&context, width, height)?.render(scene, &Method::Exact)?;
+    ///     Ok(frame.image)
+    /// }
+    /// ```
+    ///
     /// # Errors
     /// If its version is too low.
     ///

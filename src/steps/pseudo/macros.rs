@@ -183,8 +183,8 @@ macro_rules! pseudo_test {
 ///         if (depth <= min depth) then { skip f; } else { insert f by depth; }
 ///     }
 /// };
-/// let skip_or_insert = If(Test::NotBehindMin(Key::Depth), &[Skip], &[Insert(Key::Depth)]);
-/// assert_eq!(LINES, [Fragments(&[skip_or_insert])]);
+/// const SKIP_OR_INSERT: Line = If(Test::NotBehindMin(Key::Depth), &[Skip], &[Insert(Key::Depth)]);
+/// assert_eq!(LINES, [Fragments(&[SKIP_OR_INSERT])]);
 /// ```
 #[macro_export]
 macro_rules! lists {
