@@ -51,7 +51,7 @@ $(addprefix feature-,$(FEATURES)): feature-%:
 
 # One test at a time: llvmpipe rasterises with every core as it is, and Mesa 22.3 was once seen to crash (SIGSEGV, not
 # reproduced in hundreds of runs) while contexts of two test threads drew at once. That several threads may have contexts
-# is what tests/gl_guest/context.rs tests.
+# is what tests/gl_context/context.rs tests.
 unit gl-osmesa: export RUST_TEST_THREADS = 1
 
 # Unit, integration and doc tests.

@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use glow::HasContext;
 use khronos_egl as egl;
-use onionskin::gl::{Backend, ContextOptions, Format, Geometry, GlMachine};
+use onionskin::gl::{Backend, Format, Geometry, GlMachine};
 use onionskin::image::Image;
 use onionskin::scene::generate::{Soup, soup};
 use onionskin::steps::{Call, Machine, Map, Objects, Shader, Target};
@@ -106,28 +106,6 @@ fn geometry_of_another_context_is_refused() {
     );
     machine.set_geometry(Geometry::upload(&b, &scene, scene.size).unwrap());
     machine.perform(&Call::Draw { objects }).unwrap();
-}
-
-#[test]
-fn contexts_of_both_backends_live_on_one_thread() {
-    let of = |backend| {
-        let backend = Some(backend);
-        Context::new(ContextOptions {
-            backend,
-            ..Default::default()
-        })
-    };
-    let (Ok(egl), Ok(osmesa)) = (of(Backend::Egl), of(Backend::OsMesa)) else {
-        println!("skipped: EGL and OSMesa are not both there");
-        return;
-    };
-    let scene = scene(1);
-    let (mut of_egl, mut of_osmesa) = (renderer(&egl), renderer(&osmesa));
-    let clean = images(&mut of_egl, &scene);
-    for _ in 0..2 {
-        assert!(images(&mut of_osmesa, &scene) == clean);
-        assert!(images(&mut of_egl, &scene) == clean);
-    }
 }
 
 #[test]

@@ -4,7 +4,6 @@
 mod kit;
 
 mod allocations;
-mod context;
 mod contexts;
 mod pixels;
 mod state;

@@ -28,7 +28,7 @@ fn every_listing_of_every_paper_names_only_what_there_is() {
             }
         }
     }
-    assert_eq!(checked, 2 * 25);
+    assert!(checked >= 2 * 25, "{checked}");
 }
 
 /// What methods run besides, and amendments that they choose.

@@ -5,6 +5,8 @@ use onionskin::methods::{Compositing, DepthPeelingOptions, registry};
 use onionskin::scene::generate::{Quads, Soup, quads, soup};
 use onionskin::{Context, Error, Method, Renderer, Scene};
 
+const METHODS: [&str; 4] = ["blend", "depth-peeling", "dfb+ppdp", "exact"];
+
 #[test]
 fn a_headless_context_has_opengl_4_3_or_later() {
     let context = Context::headless().unwrap();
@@ -45,6 +47,31 @@ fn a_backend_asked_for_in_code_comes_before_the_environment_s() {
             }
             Err(other) => panic!("{other}"),
         }
+    }
+}
+
+#[test]
+fn contexts_of_both_backends_live_on_one_thread() {
+    let of = |backend| {
+        let backend = Some(backend);
+        Context::new(ContextOptions {
+            backend,
+            ..Default::default()
+        })
+    };
+    let (Ok(egl), Ok(osmesa)) = (of(Backend::Egl), of(Backend::OsMesa)) else {
+        println!("skipped: EGL and OSMesa are not both there");
+        return;
+    };
+    let (mut of_egl, mut of_osmesa) = (renderer(&egl), renderer(&osmesa));
+    let image = |of: &mut Renderer<'_>| {
+        let method = |name: &str| name.parse::<Method>().unwrap();
+        METHODS.map(|name| of.render(&scene(), &method(name)).unwrap().image)
+    };
+    let clean = image(&mut of_egl);
+    for _ in 0..2 {
+        assert!(image(&mut of_osmesa) == clean);
+        assert!(image(&mut of_egl) == clean);
     }
 }
 
