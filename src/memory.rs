@@ -39,14 +39,14 @@ pub struct Shortage {
 /// The part of the available memory that is kept for the rest of the program and for other programs: an eighth.
 const RESERVE: u64 = 8;
 
-/// The memory in bytes that any file may take, however small it is: 48 Mi samples, such as 512 x 512 x 192. A renderer
+/// The memory in bytes that any file may take, however small it is: 44 Mi samples, such as 512 x 512 x 176. A renderer
 /// on the processor holds them twice, and both copies must stay under 500 MB.
-const OF_A_SMALL_FILE: u64 = 192 << 20;
+const OF_A_SMALL_FILE: u64 = 176 << 20;
 
 /// The number of bytes in memory that a byte of a file may become beyond [`OF_A_SMALL_FILE`]. Measured data packs 2 to
 /// 10 times, and bytes become 32-bit samples. Masks of large volumes pack better than this, and need the owner's
 /// permission.
-const MOST_FOR_A_BYTE: u64 = 192;
+const MOST_FOR_A_BYTE: u64 = 176;
 
 impl Default for MemoryLimit {
     fn default() -> Self {

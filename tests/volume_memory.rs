@@ -92,7 +92,7 @@ fn small_files_are_refused_what_no_person_allowed(cube: &Nifti) {
         vec![("v.nhdr", listed.as_bytes()), ("z.gz", &one)],
     ] {
         assert!(files.iter().all(|(_, bytes)| bytes.len() < 1 << 20));
-        refused(load(&files)).says("no more than 192.0 MiB");
+        refused(load(&files)).says("no more than 176.0 MiB");
     }
     let grown = peak().expect("it was there before") - before;
     assert!(grown < 64 << 10, "{grown} KiB");
