@@ -40,7 +40,7 @@ check: setup-checks lint ## Format and clippy only
 lint: features
 	$(CARGO) fmt --check
 # The registry makes modules of the methods' files, and the index of the papers', where cargo fmt does not look for them.
-	rustfmt --check --edition 2024 src/methods/*.rs src/papers/*.rs
+	rustfmt --check --edition 2024 src/methods/*.rs src/methods/*/mod.rs src/papers/*.rs src/papers/*/mod.rs
 	$(CARGO) clippy --all-targets --locked -- -D warnings
 
 # The library with none of its features, and with each of them alone.

@@ -1,7 +1,7 @@
 //! The options of A-buffers, by name.
 
 use super::super::choice::{AS_PRINTED, Choice, Setter, Takes, number, set, word};
-use super::options::{ABufferOptions, Fill, Keep, RecordColor, ArraySort};
+use super::options::{ABufferOptions, ArraySort, Fill, Keep, RecordColor};
 
 pub(super) const CHOICES: &[Setter<ABufferOptions>] = &[
     ARRAY.sets(|o, text| set(&mut o.array, number(text))),
@@ -82,7 +82,10 @@ const ARRAY_SORT: Choice = Choice {
     ]),
     help: "How local arrays are sorted. The result is the same [default: the quicker sort for the scene]",
 };
-const SORTS: [(&str, ArraySort); 2] = [("insertion", ArraySort::Insertion), ("network", ArraySort::Network)];
+const SORTS: [(&str, ArraySort); 2] = [
+    ("insertion", ArraySort::Insertion),
+    ("network", ArraySort::Network),
+];
 
 const RECORD_COLOR: Choice = Choice {
     name: "record-color",
@@ -92,7 +95,5 @@ const RECORD_COLOR: Choice = Choice {
     ]),
     help: "How fragment records keep colours [default: half]",
 };
-const COLORS: [(&str, RecordColor); 2] = [
-    ("half", RecordColor::Half),
-    ("float", RecordColor::Float),
-];
+const COLORS: [(&str, RecordColor); 2] =
+    [("half", RecordColor::Half), ("float", RecordColor::Float)];

@@ -20,24 +20,25 @@
 mod array_sort;
 mod bands;
 mod choices;
+mod counting;
+mod entries;
 mod lists;
 mod loops;
 mod options;
 
+pub(super) use counting::expect_stencil;
+
 pub use bands::{Band, Room, bands};
-pub use options::{ABufferOptions, Fill, Keep, LARGEST_NETWORK, Manager, RecordColor, ArraySort};
+pub use options::{ABufferOptions, ArraySort, Fill, Keep, LARGEST_NETWORK, Manager, RecordColor};
 
 use array_sort::inserts;
-use bands::deepest;
-use choices::CHOICES;
+
 use options::SMALLEST_SEGMENT;
 
-use super::algorithm::{Algorithm, Composited, Drawn, Setup};
-use super::choice::Setter;
-use super::entry::{EXACT_BY_RAYS, Entry, Memory, Ties, Volumes};
+use super::algorithm::{Algorithm, Composited, Drawn};
 use super::proxies::proxies;
 use super::stats::ABufferCounts;
-use super::technique::{Published, Technique};
+use super::technique::Technique;
 use crate::error::{Error, Result};
 use crate::gl::{Format, GlMachine, Texels, largest_storage};
 use crate::papers::lindholm_2015 as paper;
@@ -247,44 +248,7 @@ impl Algorithm for ABuffer {
     }
 }
 
-/// Checks that there is a stencil buffer in which to count, or in which to mark pixels.
-///
-/// # Errors
-/// If the depth format has no stencil.
-pub(super) fn expect_stencil(machine: &GlMachine<'_>) -> Result<()> {
-    let format = machine.format(stage::OPAQUE_DEPTH)?;
-    if format.has_stencil() {
-        return Ok(());
-    }
-    Err(Error::usage(
-        format!("there is no stencil buffer to count in: depths are stored as {format:?}"),
-        "choose a depth format with a stencil, or count by blending (ppAO: amended)",
-    ))
-}
-
-/// The largest count of the stencil buffer that is certainly right.
-const STENCIL_COUNTS: u32 = 254;
-
 impl ABuffer {
-    /// Every pixel's complexity. The stencil buffer counts it if that is enough, because it is quicker. But a prefix
-    /// scan needs colours.
-    fn count(&self, machine: &mut GlMachine<'_>, proxies: &[Amendment]) -> Result<Vec<u32>> {
-        let depth = Some(stage::OPAQUE_DEPTH);
-        if !self.options.has_offsets() && machine.format(stage::OPAQUE_DEPTH)?.has_stencil() {
-            machine.framebuffer_with(stage::COUNTED, &[], depth)?;
-            let variables = Variables::new();
-            run(&paper::COUNT_BY_STENCIL, proxies, variables, machine)?;
-            let counts = machine.read_counts(stage::OPAQUE_DEPTH)?;
-            if deepest(&counts) <= STENCIL_COUNTS {
-                return Ok(counts);
-            }
-        }
-        machine.framebuffer_with(stage::COUNTED, &[stage::COMPLEXITY], depth)?;
-        let variables = Variables::new();
-        run(&stage::COUNT_AT_EACH_PIXEL, proxies, variables, machine)?;
-        machine.read_counts(stage::COMPLEXITY)
-    }
-
     /// `proxies` amends the Fill Step if there are volumes.
     fn draw_band(
         &mut self,
@@ -367,134 +331,6 @@ impl ABuffer {
             Some(last) if !self.options.as_printed => last + 1,
             _ => all,
         }
-    }
-}
-
-const fn entry(name: &'static str, manager: Manager, pp_dp: bool) -> Entry {
-    Entry {
-        name,
-        source: "Lindholm et al. 2015",
-        exact: true,
-        exactness: match pp_dp {
-            true => EXACT_BY_RAYS,
-            false => "yes, volumes by rays, too, up to 64 fragments a pixel (option array)",
-        },
-        ties: Ties::InOrder,
-        memory: match manager {
-            Manager::Ffb => Memory::PixelsTimesLayers,
-            Manager::Dfb | Manager::Ppll => Memory::PixelsAndFragments,
-        },
-        volumes: Volumes::Rays,
-        keeps: match (pp_dp, manager) {
-            (true, _) => None,
-            (false, Manager::Ffb | Manager::Dfb) => Some("the first submitted"),
-            (false, Manager::Ppll) => Some("the last submitted"),
-        },
-        needs: &[],
-    }
-}
-
-/// One entry each for neither of ppAO and ppDP, for one of them, for both. `static` is the paper's word for the array
-/// without any.
-static ENTRIES: [[Entry; 4]; 3] = [
-    [
-        entry("ffb", Manager::Ffb, false),
-        entry("ffb+ppao", Manager::Ffb, false),
-        entry("ffb+ppdp", Manager::Ffb, true),
-        entry("ffb+ppao+ppdp", Manager::Ffb, true),
-    ],
-    [
-        entry("dfb", Manager::Dfb, false),
-        entry("dfb+ppao", Manager::Dfb, false),
-        entry("dfb+ppdp", Manager::Dfb, true),
-        entry("dfb+ppao+ppdp", Manager::Dfb, true),
-    ],
-    [
-        entry("ppll", Manager::Ppll, false),
-        entry("ppll+ppao", Manager::Ppll, false),
-        entry("ppll+ppdp", Manager::Ppll, true),
-        entry("ppll+ppao+ppdp", Manager::Ppll, true),
-    ],
-];
-
-impl Technique for ABufferOptions {
-    fn entry(&self) -> &'static Entry {
-        let components = usize::from(self.pp_ao) + 2 * usize::from(self.pp_dp);
-        &ENTRIES[self.manager as usize][components]
-    }
-
-    fn algorithm(&self, setup: &Setup) -> Box<dyn Algorithm> {
-        Box::new(ABuffer::new(*self, setup.counts_costs))
-    }
-
-    fn check(&self) -> Result<()> {
-        let array = self.array;
-        if !(1..=256).contains(&array) || !array.is_power_of_two() {
-            return Err(Error::option("array", 
-                format!("a local array of {array} fragments is not to be had"),
-                "choose 1, 2, 4, 8 ... 256; 64 is usual, and ppDP takes what is deeper",
-            ));
-        }
-        if self.pp_ao && array < SMALLEST_SEGMENT {
-            return Err(Error::option("array", 
-                format!("ppAO's last segment cannot be {array}: its first is {SMALLEST_SEGMENT}"),
-                "choose an array of 8, 16, 32 ...",
-            ));
-        }
-        if !(1..=64).contains(&self.peel) {
-            return Err(Error::option("peel", 
-                format!("ppDP cannot peel {} fragments at a time", self.peel),
-                "choose 1 to 64; 8 is usual",
-            ));
-        }
-        if self.keep == Keep::Nearest && (self.pp_dp || self.as_printed) {
-            return Err(Error::option("keep", 
-                match self.pp_dp {
-                    true => {
-                        "ppDP drops no fragment, so there are none of which the nearest could be kept"
-                    }
-                    false => {
-                        "the paper does not say that the nearest fragments are kept, so as printed they are not"
-                    }
-                },
-                "leave out one of the two",
-            ));
-        }
-        if !(0.0..=1.0).contains(&self.termination) {
-            return Err(Error::option("termination", 
-                format!(
-                    "the transparency {} at which a ray ends is not between 0 and 1",
-                    self.termination
-                ),
-                "0 is exact; 0.02 is the paper's",
-            ));
-        }
-        if self.budget == Some(0) {
-            return Err(Error::option("budget", 
-                "no fragment fits into a budget of 0 bytes",
-                "leave the budget out, or give it some megabytes",
-            ));
-        }
-        Ok(())
-    }
-}
-
-impl Published for ABufferOptions {
-    const CHOICES: &'static [Setter<Self>] = CHOICES;
-
-    fn variants() -> Vec<Self> {
-        let mut all = Vec::new();
-        for manager in [Manager::Ffb, Manager::Dfb, Manager::Ppll] {
-            for [pp_dp, pp_ao] in [[false, false], [false, true], [true, false], [true, true]] {
-                all.push(Self {
-                    manager,
-                    pp_ao,
-                    pp_dp,
-                    ..Self::DEFAULT
-                });
-            }
-        }
-        all
     }
 }
 

@@ -151,7 +151,6 @@ impl ABufferOptions {
         std::iter::successors(Some(SMALLEST_SEGMENT), |size| Some(size * 2))
             .take_while(move |&size| size <= last)
     }
-
 }
 
 /// ppAO's first segment.
