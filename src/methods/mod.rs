@@ -6,6 +6,7 @@
 //! | `blend` | Everitt 2001, figure 1b | no | each over those drawn before it |  | pixels |
 //! | `painter` | Carr et al. 2008, section 1 | no | each over those drawn before it |  | pixels + triangles |
 //! | `weighted-blended` | McGuire and Bavoil 2013 | no, but for one layer, or one colour | no order |  | pixels |
+//! | `multi-layer-alpha-blending` | Salvi and Vaidyanathan 2014 | no, but for pixels with at most as many fragments as nodes, 4 or 8 | order of submission |  | pixels |
 //! | `depth-peeling` | Everitt 2001; VTK | yes, but for ties; volumes as slices: no, an error of order 1 in the slices' distance | the first submitted, the others lost and counted |  | pixels (layers x pixels if they are kept) |
 //! | `dual-depth-peeling` | Bavoil and Myers 2008; VTK today | yes; volumes as slices: no, an error of order 1 in the slices' distance | order of submission |  | pixels |
 //! | `coplanar-depth-peeling` | Vasilakis and Fudos 2013 | yes; volumes as slices: no, an error of order 1 in the slices' distance | order of submission |  | pixels |

@@ -21,6 +21,7 @@ macro_rules! every_method {
             blend: Blend,
             painter: Painter,
             weighted_blended: WeightedBlended(WeightedBlendedOptions),
+            multi_layer_alpha_blending: MultiLayerAlphaBlending(MultiLayerOptions),
             depth_peeling: DepthPeeling(DepthPeelingOptions),
             dual_depth_peeling: DualDepthPeeling(DualDepthPeelingOptions),
             coplanar_depth_peeling: CoplanarDepthPeeling(CoplanarDepthPeelingOptions),

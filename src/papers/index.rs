@@ -15,6 +15,7 @@ macro_rules! every_paper {
             bavoil_2008,
             vasilakis_2013,
             mcguire_2013,
+            salvi_2014,
         }
     };
 }

@@ -1,0 +1,125 @@
+//! Multi-layer alpha blending (Salvi and Vaidyanathan 2014): one pass in whatever order, and a few nodes for each pixel.
+//!
+//! [`FOUR_NODES`] and [`EIGHT_NODES`] are the algorithm. It is exact where a pixel has at most as many fragments as nodes.
+//! Where it has more, every fragment is still in the image, and what comes through to the opaque image is still right.
+//! But the two farthest nodes have been merged, so that a later fragment between them is taken to lie behind both. The
+//! order of submission then makes a difference.
+//!
+//! A node stores its colours and its transmittance in 24 bits each, from 0 to 1, whatever format the image has.
+//!
+//! It needs a rasteriser whose shaders read and write several buffers in the order of submission, by
+//! `GL_EXT_shader_framebuffer_fetch`. Mesa's llvmpipe has it.
+//!
+//! Excludes: multisampling; depths at or beyond the far plane, which GL clips; colours beyond 1, which are stored as 1.
+
+#[cfg(test)]
+mod tests;
+
+use super::algorithm::{Algorithm, Drawn, Setup};
+use super::allocate_maps::allocate_maps;
+use super::choice::{Choice, Setter, Takes, set, word};
+use super::entry::{Entry, Memory, Ties, Volumes};
+use super::technique::{Published, Technique};
+use crate::error::{Error, Result};
+use crate::gl::GlMachine;
+use crate::papers::salvi_2014::{EIGHT_NODES, FOUR_NODES, RESOURCES_OF_EIGHT, RESOURCES_OF_FOUR};
+use crate::scene::Scene;
+use crate::steps::{Variables, run};
+
+const FETCH: &str = "GL_EXT_shader_framebuffer_fetch";
+
+/// What can be chosen about multi-layer alpha blending.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct MultiLayerOptions {
+    /// How many nodes a pixel has.
+    pub nodes: Nodes,
+}
+
+/// The nodes of a pixel, 16 bytes each.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Nodes {
+    /// Four of them.
+    #[default]
+    Four = 4,
+    /// Eight of them.
+    Eight = 8,
+}
+
+struct MultiLayerAlphaBlending {
+    options: MultiLayerOptions,
+    setup: Setup,
+}
+
+impl Algorithm for MultiLayerAlphaBlending {
+    fn prepare(&mut self, machine: &mut GlMachine<'_>, _: &Scene) -> Result<()> {
+        if !ENTRY.runs_on(machine.context().driver()) {
+            return Err(Error::Driver {
+                what: format!("this driver's shaders do not read the framebuffer: it lacks {FETCH}"),
+                remedy: "Mesa's llvmpipe has it; weighted-blended takes one pass, too, and runs everywhere"
+                    .into(),
+            });
+        }
+        machine.set_constants(&[("NODES", self.options.nodes as u32)]);
+        let resources = match self.options.nodes {
+            Nodes::Four => &RESOURCES_OF_FOUR,
+            Nodes::Eight => &RESOURCES_OF_EIGHT,
+        };
+        allocate_maps(machine, &[resources], self.setup.color, self.setup.depth)
+    }
+
+    fn draw(&mut self, machine: &mut GlMachine<'_>, _: &Scene) -> Result<Drawn> {
+        let listing = match self.options.nodes {
+            Nodes::Four => &FOUR_NODES,
+            Nodes::Eight => &EIGHT_NODES,
+        };
+        run(listing, &[], Variables::new(), machine)?;
+        // What was merged is in the image, too.
+        Ok(Drawn {
+            iterations: 1,
+            ..Drawn::default()
+        })
+    }
+}
+
+const ENTRY: Entry = Entry {
+    name: "multi-layer-alpha-blending",
+    source: "Salvi and Vaidyanathan 2014",
+    exact: false,
+    exactness: "no, but for pixels with at most as many fragments as nodes, 4 or 8",
+    ties: Ties::InOrder,
+    memory: Memory::Pixels,
+    volumes: Volumes::Refused,
+    keeps: None,
+    needs: &[FETCH],
+};
+
+impl Technique for MultiLayerOptions {
+    fn entry(&self) -> &'static Entry {
+        &ENTRY
+    }
+
+    fn algorithm(&self, setup: &Setup) -> Box<dyn Algorithm> {
+        Box::new(MultiLayerAlphaBlending {
+            options: *self,
+            setup: *setup,
+        })
+    }
+}
+
+const NODES: Choice = Choice {
+    name: "nodes",
+    takes: Takes::Word(&[
+        ("4", "64 bytes for each pixel"),
+        ("8", "128 bytes for each pixel"),
+    ]),
+    help: "How many nodes a pixel has; further fragments are merged [default: 4]",
+};
+
+impl Published for MultiLayerOptions {
+    const CHOICES: &'static [Setter<Self>] = &[NODES.sets(|o, text| {
+        set(
+            &mut o.nodes,
+            word(text, &[("4", Nodes::Four), ("8", Nodes::Eight)]),
+        )
+    })];
+}

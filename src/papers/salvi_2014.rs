@@ -1,0 +1,171 @@
+//! Marco Salvi and Karthik Vaidyanathan, *Multi-layer Alpha Blending*, Symposium on Interactive 3D Graphics and Games,
+//! 2014.
+//!
+//! One pass in whatever order, in bounded memory: a pixel has a few nodes, sorted by depth. A fragment becomes a node, and
+//! where that is one too many, the two farthest are merged.
+
+use super::paper::Paper;
+use crate::papers::stage;
+use crate::steps;
+use crate::steps::{
+    Dialect, Format, Framebuffer, Holds, Listing, Map, Resources, Shader, Target, Text, gl::*,
+};
+
+/// Its texts.
+pub const PAPER: Paper = Paper {
+    key: "salvi",
+    citation: "Marco Salvi and Karthik Vaidyanathan, Multi-layer Alpha Blending, I3D 2014",
+    texts: &[
+        ("four-nodes", Text::Listing(FOUR_NODES, &[])),
+        ("eight-nodes", Text::Listing(EIGHT_NODES, &[])),
+    ],
+    resources: &[&stage::RESOURCES, &RESOURCES_OF_EIGHT],
+};
+
+/// The whole algorithm, with four nodes for each pixel.
+pub const FOUR_NODES: Listing = Listing {
+    title: "Multi-layer alpha blending, with four nodes for each pixel",
+    source: "Salvi and Vaidyanathan 2014",
+    dialect: Dialect::Calls,
+    steps: steps! {
+        run stage::OPAQUE_FIRST;
+        run INSERT;
+        run FIRST_NODES;
+        run COMPOSITE;
+    },
+};
+
+/// The whole algorithm, with eight nodes for each pixel.
+pub const EIGHT_NODES: Listing = Listing {
+    title: "Multi-layer alpha blending, with eight nodes for each pixel",
+    source: "Salvi and Vaidyanathan 2014",
+    dialect: Dialect::Calls,
+    steps: steps! {
+        run stage::OPAQUE_FIRST;
+        run INSERT;
+        run FIRST_NODES;
+        run FURTHER_NODES;
+        run COMPOSITE;
+    },
+};
+
+const INSERT: Listing = Listing {
+    title: "Each fragment goes among the nodes, and the two farthest are merged where there is one too many",
+    source: "Salvi and Vaidyanathan 2014, the transparent pass",
+    dialect: Dialect::Calls,
+    steps: steps! {
+        glBindFramebuffer(ALL_NODES);
+        glDepthMask(false);
+        glDisable(DEPTH_TEST);
+        glUseProgram(BEGIN);
+        drawScreen();
+        glEnable(DEPTH_TEST);
+        glUseProgram(INSERTION);
+        drawTransparentObjects();
+        glDepthMask(true);
+    },
+};
+
+const FIRST_NODES: Listing = Listing {
+    title: "The first four nodes are looked up",
+    source: "Salvi and Vaidyanathan 2014",
+    dialect: Dialect::Calls,
+    steps: steps! {
+        glActiveTexture(0);
+        glBindTexture(node(0));
+        glActiveTexture(1);
+        glBindTexture(node(1));
+        glActiveTexture(2);
+        glBindTexture(node(2));
+        glActiveTexture(3);
+        glBindTexture(node(3));
+    },
+};
+
+const FURTHER_NODES: Listing = Listing {
+    title: "So are the others",
+    source: "Salvi and Vaidyanathan 2014",
+    dialect: Dialect::Calls,
+    steps: steps! {
+        glActiveTexture(4);
+        glBindTexture(node(4));
+        glActiveTexture(5);
+        glBindTexture(node(5));
+        glActiveTexture(6);
+        glBindTexture(node(6));
+        glActiveTexture(7);
+        glBindTexture(node(7));
+    },
+};
+
+/// Its blend function for colours; alpha stays the opaque image's.
+const COMPOSITE: Listing = Listing {
+    title: "The nodes, front to back, over the opaque image",
+    source: "Salvi and Vaidyanathan 2014",
+    dialect: Dialect::Calls,
+    steps: steps! {
+        glBindFramebuffer(stage::COMPOSITE);
+        glDisable(DEPTH_TEST);
+        glEnable(BLEND);
+        glBlendFuncSeparate(ONE, SRC_ALPHA, ZERO, ONE);
+        glUseProgram(FRONT_TO_BACK);
+        drawScreen();
+        glDisable(BLEND);
+    },
+};
+
+/// What [`FOUR_NODES`] takes for granted.
+pub const RESOURCES_OF_FOUR: Resources = Resources {
+    maps: MAPS.split_at(4).0,
+    framebuffers: &[Framebuffer::new(
+        ALL_NODES,
+        NODES.split_at(4).0,
+        Some(stage::OPAQUE_DEPTH),
+    )],
+    ..Resources::NONE
+};
+
+/// What [`EIGHT_NODES`] takes for granted. OpenGL promises no more than eight color maps.
+pub const RESOURCES_OF_EIGHT: Resources = Resources {
+    maps: MAPS,
+    framebuffers: &[Framebuffer::new(
+        ALL_NODES,
+        NODES,
+        Some(stage::OPAQUE_DEPTH),
+    )],
+    ..Resources::NONE
+};
+
+const MAPS: &[(Map, Holds)] = &[
+    (node(0), NODE),
+    (node(1), NODE),
+    (node(2), NODE),
+    (node(3), NODE),
+    (node(4), NODE),
+    (node(5), NODE),
+    (node(6), NODE),
+    (node(7), NODE),
+];
+const NODES: &[Map] = &[
+    node(0),
+    node(1),
+    node(2),
+    node(3),
+    node(4),
+    node(5),
+    node(6),
+    node(7),
+];
+
+/// A node's depth, premultiplied colour and transmittance, as `glsl/multi_layer/node.glsl` packs them.
+const NODE: Holds = Holds::Exactly(Format::Rgba32Ui);
+
+/// A node, the nearest with number 0.
+const fn node(number: u32) -> Map {
+    Map::numbered("node", number)
+}
+
+const ALL_NODES: Target = Target("nodes");
+const BEGIN: Shader = Shader("multi_layer/begin");
+const INSERTION: Shader = Shader("multi_layer/insert");
+const FRONT_TO_BACK: Shader = Shader("multi_layer/composite");
