@@ -7,10 +7,10 @@ use onionskin::methods::{Compositing, DepthPeelingOptions, Frame, Peeling};
 use onionskin::scene::generate::{Soup, soup};
 use onionskin::steps::Reason;
 use onionskin::{Context, Method, Renderer, Scene};
-use proptest::test_runner::{TestCaseError, TestError};
+use proptest::test_runner::TestCaseError;
 
 use crate::kit::peeling::peel;
-use crate::kit::stack::{Piece, Stack, fragments, runner, stacks};
+use crate::kit::stack::{Piece, Stack, runner, stacks};
 
 const BOTH: [Compositing; 2] = [Compositing::OnTheFly, Compositing::KeepLayers];
 
@@ -324,16 +324,5 @@ fn check_stacks(
         }
         Ok(())
     });
-    if let Err(TestError::Fail(why, stack)) = outcome {
-        let lists: Vec<_> = stack
-            .pixels
-            .iter()
-            .map(|pieces| fragments(pieces))
-            .collect();
-        panic!(
-            "{why}\nthe smallest stack, opaque at {:?}:\n{lists:#?}",
-            stack.opaque
-        );
-    }
-    outcome.unwrap();
+    stack::expect_none(outcome);
 }

@@ -4,6 +4,7 @@
 #![allow(unsafe_code)] // a driver without memory is played by functions in OpenGL's place
 
 use crate::kit::loader;
+use crate::kit::small_scenes::{fog, surfaces};
 use std::cell::{Cell, RefCell};
 use std::collections::BTreeMap;
 use std::ffi::{c_int, c_uint, c_void};
@@ -11,7 +12,6 @@ use std::sync::Arc;
 
 use onionskin::gl::Backend;
 use onionskin::methods::registry;
-use onionskin::scene::generate::{Soup, soup};
 use onionskin::{Context, Error, Method, Renderer, Scene};
 
 const OUT_OF_MEMORY: c_uint = 0x0505;
@@ -201,7 +201,7 @@ fn each_allocation_of_each_method_that_fails_is_named_and_nothing_of_it_stays() 
         .iter()
         .filter(|entry| entry.runs_on(own.driver()));
     let methods: Vec<Method> = runs.map(|entry| entry.method).collect();
-    let said = fail_in_turn(&own, &surfaces(), &methods);
+    let said = fail_in_turn(&own, &surfaces(30), &methods);
     for part in [
         "the vertices of mesh 'soup' (",
         "the triangles of mesh 'soup' (",
@@ -239,7 +239,7 @@ fn the_first_frame_of_a_renderer_fails_as_cleanly_as_any() {
     // SAFETY: as above.
     let context =
         unsafe { Context::from_glow(Arc::new(failing_functions(own.backend().unwrap()))) }.unwrap();
-    let scene = surfaces();
+    let scene = surfaces(30);
     let before = alive();
     for name in ["blend", "painter", "exact"] {
         let method: Method = name.parse().unwrap();
@@ -266,7 +266,7 @@ fn what_opengl_finds_missing_at_the_end_of_a_frame_is_an_error() {
     // SAFETY: as above.
     let context =
         unsafe { Context::from_glow(Arc::new(failing_functions(own.backend().unwrap()))) }.unwrap();
-    let scene = surfaces();
+    let scene = surfaces(30);
     let mut renderer = Renderer::new(&context, 16, 16).unwrap();
     for name in ["blend", "depth-peeling", "exact"] {
         let method: Method = name.parse().unwrap();
@@ -280,30 +280,4 @@ fn what_opengl_finds_missing_at_the_end_of_a_frame_is_an_error() {
             "{method}"
         );
     }
-}
-
-fn surfaces() -> Scene {
-    let parameters = Soup {
-        count: 30,
-        ..Soup::default()
-    };
-    let mut scene = Scene::of("soup", vec![soup(&parameters).unwrap()]);
-    scene.size = [16, 16];
-    scene
-}
-
-fn fog() -> Scene {
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("fog.toml");
-    let text = "
-        size = [16, 16]
-        [[volume]]
-        generate = \"ball\"
-        transfer = [{ value = 0.0, color = [1, 1, 1], density = 0.0 }, { value = 1.0, color = [0.1, 0.4, 0.9], density = 3.0 }]
-        [[mesh]]
-        generate = \"soup\"
-        count = 20
-    ";
-    std::fs::write(&path, text).unwrap();
-    Scene::load(&path).unwrap()
 }

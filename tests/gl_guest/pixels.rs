@@ -3,9 +3,9 @@
 #![allow(unsafe_code)] // setting a host's state is calling GL
 
 use crate::kit::loader;
+use crate::kit::small_scenes;
 use glow::HasContext;
 use onionskin::gl::{ContextOptions, Format, GlMachine, Profile};
-use onionskin::scene::generate::{Soup, soup};
 use onionskin::steps::{Call, Machine, Map, Target};
 use onionskin::{Context, Method, Renderer, Scene};
 use proptest::prelude::*;
@@ -262,20 +262,7 @@ fn painted(context: &Context) -> GlMachine<'_> {
 }
 
 fn fog() -> Scene {
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("fog.toml");
-    let text = "
-        size = [24, 16]
-        [[volume]]
-        generate = \"ball\"
-        transfer = [{ value = 0.0, color = [1, 1, 1], density = 0.0 }, { value = 1.0, color = [0.1, 0.4, 0.9], density = 3.0 }]
-    ";
-    std::fs::write(&path, text).unwrap();
-    let mut scene = Scene::load(&path).unwrap();
-    let parameters = Soup {
-        count: 20,
-        ..Soup::default()
-    };
-    scene.meshes.push(soup(&parameters).unwrap());
+    let mut scene = small_scenes::fog();
+    scene.size = [24, 16];
     scene
 }

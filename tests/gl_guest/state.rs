@@ -4,13 +4,13 @@
 
 use crate::kit::host;
 use crate::kit::loader;
+use crate::kit::small_scenes::{fog, surfaces};
 use std::sync::Arc;
 
 use crate::kit::host::{Host, ODD, gl_call};
 use glow::HasContext;
 use onionskin::image::Image;
 use onionskin::methods::{CountBy, registry};
-use onionskin::scene::generate::{Soup, soup};
 use onionskin::{Context, Method, Renderer, Scene};
 
 #[test]
@@ -23,7 +23,7 @@ fn with_every_state_odd_every_method_gives_the_image_of_a_clean_context_and_the_
         .collect();
     let clean: Vec<Image> = methods
         .iter()
-        .map(|method| image(&own, &surfaces(), method))
+        .map(|method| image(&own, &surfaces(40), method))
         .collect();
     let volumes: Vec<Method> = ["exact", "dfb", "ppll+ppdp", "hybrid-layer-peeling"]
         .map(|name| name.parse().unwrap())
@@ -50,7 +50,7 @@ fn with_every_state_odd_every_method_gives_the_image_of_a_clean_context_and_the_
         odd.len()
     );
     for (method, clean) in methods.iter().zip(&clean) {
-        assert!(image(&guest, &surfaces(), method) == *clean, "{method}");
+        assert!(image(&guest, &surfaces(40), method) == *clean, "{method}");
         expect(&host, &odd, &method.to_string());
     }
     for (method, clean) in volumes.iter().zip(&foggy) {
@@ -73,7 +73,7 @@ fn each_odd_state_alone_changes_no_image_and_comes_back() {
     .map(|name| name.parse().unwrap());
     for (name, set) in ODD {
         let (own, guest) = contexts();
-        let scene = surfaces();
+        let scene = surfaces(40);
         let mut clean = Renderer::new(&own, 16, 16).unwrap();
         let mut renderer = Renderer::new(&guest, 16, 16).unwrap();
         let before = methods.map(|method| clean.render(&scene, &method).unwrap().image);
@@ -92,7 +92,7 @@ fn each_odd_state_alone_changes_no_image_and_comes_back() {
 #[test]
 fn counting_layers_and_looking_for_traps_give_the_state_back_too() {
     let (own, guest) = contexts();
-    let scene = surfaces();
+    let scene = surfaces(40);
     let count = |context| {
         Renderer::new(context, 16, 16)
             .unwrap()
@@ -116,11 +116,11 @@ fn counting_layers_and_looking_for_traps_give_the_state_back_too() {
 fn transform_feedback_that_is_active_is_paused_and_goes_on() {
     let (own, guest) = contexts();
     let method: Method = "depth-peeling".parse().unwrap();
-    let clean = image(&own, &surfaces(), &method);
+    let clean = image(&own, &surfaces(40), &method);
     let host = Host::new(own.glow(), own.backend().unwrap());
     host.begin_feedback();
     let odd = host.state();
-    assert!(image(&guest, &surfaces(), &method) == clean);
+    assert!(image(&guest, &surfaces(40), &method) == clean);
     expect(&host, &odd, "transform feedback");
     host.end_feedback();
 }
@@ -198,12 +198,12 @@ fn a_program_in_use_that_has_been_deleted_is_refused() {
 fn an_error_that_was_pending_is_said_to_be_someone_elses_and_the_frame_is_right() {
     let (own, guest) = contexts();
     let method: Method = "exact".parse().unwrap();
-    let clean = image(&own, &surfaces(), &method);
+    let clean = image(&own, &surfaces(40), &method);
     let mut renderer = Renderer::new(&guest, 16, 16).unwrap();
     for _ in 0..2 {
         // SAFETY: the context is current; OpenGL refuses it.
         unsafe { own.glow().enable(0xDEAD) };
-        let frame = renderer.render(&surfaces(), &method).unwrap();
+        let frame = renderer.render(&surfaces(40), &method).unwrap();
         assert!(frame.image == clean);
         assert_eq!(frame.notices.len(), 1, "{:?}", frame.notices);
         assert!(
@@ -214,7 +214,7 @@ fn an_error_that_was_pending_is_said_to_be_someone_elses_and_the_frame_is_right(
     }
     assert!(
         renderer
-            .render(&surfaces(), &method)
+            .render(&surfaces(40), &method)
             .unwrap()
             .notices
             .is_empty()
@@ -249,7 +249,7 @@ fn contexts() -> (Context, Context) {
 fn refusal(guest: &Context) -> String {
     let mut renderer = Renderer::new(guest, 16, 16).unwrap();
     renderer
-        .render(&surfaces(), &"exact".parse::<Method>().unwrap())
+        .render(&surfaces(40), &"exact".parse::<Method>().unwrap())
         .unwrap_err()
         .to_string()
 }
@@ -263,30 +263,4 @@ fn expect(host: &Host<'_>, before: &host::State, after: &str) {
 fn image(context: &Context, scene: &Scene, method: &Method) -> Image {
     let mut renderer = Renderer::new(context, 16, 16).unwrap();
     renderer.render(scene, method).unwrap().image
-}
-
-fn surfaces() -> Scene {
-    let parameters = Soup {
-        count: 40,
-        ..Soup::default()
-    };
-    let mut scene = Scene::of("soup", vec![soup(&parameters).unwrap()]);
-    scene.size = [16, 16];
-    scene
-}
-
-fn fog() -> Scene {
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("fog.toml");
-    let text = "
-        size = [16, 16]
-        [[volume]]
-        generate = \"ball\"
-        transfer = [{ value = 0.0, color = [1, 1, 1], density = 0.0 }, { value = 1.0, color = [0.1, 0.4, 0.9], density = 3.0 }]
-        [[mesh]]
-        generate = \"soup\"
-        count = 20
-    ";
-    std::fs::write(&path, text).unwrap();
-    Scene::load(&path).unwrap()
 }

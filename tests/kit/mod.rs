@@ -30,6 +30,7 @@ pub mod scene;
 pub mod sheets;
 pub mod slack;
 pub mod slices;
+pub mod small_scenes;
 pub mod stack;
 pub mod volume;
 pub mod vtk_scenes;

@@ -8,7 +8,7 @@ use onionskin::image::Image;
 use onionskin::oracle;
 use onionskin::scene::{Camera, Mesh, Vertex};
 use proptest::prelude::*;
-use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
+use proptest::test_runner::{Config, RngAlgorithm, TestError, TestRng, TestRunner};
 
 /// A fragment of a pixel: on which of [`LEVELS`] depths it lies, and its colour. Submitted in the order of the list.
 #[derive(Clone, Debug)]
@@ -231,4 +231,16 @@ pub fn runner(cases: u32) -> TestRunner {
         ..Config::default()
     };
     TestRunner::new_with_rng(config, TestRng::from_seed(RngAlgorithm::ChaCha, &bytes))
+}
+
+/// Expects that none of the random stacks has failed. Otherwise the smallest one is printed as fragment lists.
+#[track_caller]
+pub fn expect_none(outcome: Result<(), TestError<Stack>>) {
+    if let Err(TestError::Fail(why, stack)) = outcome {
+        let lists = stack.pixels.iter().map(|pieces| fragments(pieces));
+        let lists: Vec<_> = lists.collect();
+        let opaque = stack.opaque;
+        panic!("{why}\nthe smallest stack, opaque at {opaque:?}:\n{lists:#?}");
+    }
+    outcome.unwrap();
 }
