@@ -22,9 +22,19 @@ use crate::error::{Error, Place};
 #[derive(Clone, Debug)]
 pub struct MemoryLimit {
     bytes: u64,
-    taken: Arc<AtomicU64>,
+    taken: Arc<Taken>,
     /// Whether a person has set the limit.
     given: bool,
+}
+
+/// What copies of a limit share, in bytes.
+#[derive(Debug, Default)]
+struct Taken {
+    all: AtomicU64,
+    /// The part that was unpacked from files.
+    from_files: AtomicU64,
+    /// The sizes of these files.
+    on_disk: AtomicU64,
 }
 
 /// The error that more memory was wanted than is left.
@@ -39,8 +49,8 @@ pub struct Shortage {
 /// The part of the available memory that is kept for the rest of the program and for other programs: an eighth.
 const RESERVE: u64 = 8;
 
-/// The memory in bytes that any file may take, however small it is: 44 Mi samples, such as 512 x 512 x 176. A renderer
-/// on the processor holds them twice, and both copies must stay under 500 MB.
+/// The memory in bytes that small files may take together: 44 Mi samples, such as 512 x 512 x 176. A renderer on the
+/// processor holds them twice, and both copies must stay under 500 MB.
 const OF_A_SMALL_FILE: u64 = 176 << 20;
 
 /// The number of bytes in memory that a byte of a file may become beyond [`OF_A_SMALL_FILE`]. Measured data packs 2 to
@@ -76,7 +86,7 @@ impl MemoryLimit {
 
     /// The number of bytes that are left.
     pub fn left(&self) -> u64 {
-        let taken = self.taken.load(Ordering::Relaxed);
+        let taken = self.taken.all.load(Ordering::Relaxed);
         self.bytes.saturating_sub(taken)
     }
 
@@ -86,25 +96,35 @@ impl MemoryLimit {
     /// If fewer bytes are left. Nothing is taken then.
     pub fn take(&self, bytes: u64) -> Result<(), Shortage> {
         self.check(bytes)?;
-        self.taken.fetch_add(bytes, Ordering::Relaxed);
+        self.taken.all.fetch_add(bytes, Ordering::Relaxed);
         Ok(())
     }
 
-    /// Takes so many bytes for what is unpacked from files of `on_disk` bytes. Unless a person has set the limit, more than
-    /// [`OF_A_SMALL_FILE`] are refused where they are more than [`MOST_FOR_A_BYTE`] for a byte of the files: a few hundred
-    /// kilobytes from anywhere must not take what the machine has.
+    /// Takes so many bytes for what is unpacked from files of `on_disk` bytes. Unless a person has set the limit, all files
+    /// together get at most [`OF_A_SMALL_FILE`], or [`MOST_FOR_A_BYTE`] for each of their bytes if that is more. So a few
+    /// hundred kilobytes cannot take all memory of the machine.
     ///
     /// # Errors
     /// Fewer are left, or the files are too small for them. Nothing is taken then.
     pub(crate) fn take_from_files(&self, bytes: u64, on_disk: u64) -> Result<(), Shortage> {
-        let most = OF_A_SMALL_FILE.max(on_disk.saturating_mul(MOST_FOR_A_BYTE));
-        if !self.given && bytes > most {
+        let Taken {
+            from_files,
+            on_disk: files,
+            ..
+        } = &*self.taken;
+        let size = files.load(Ordering::Relaxed).saturating_add(on_disk);
+        let most = OF_A_SMALL_FILE.max(size.saturating_mul(MOST_FOR_A_BYTE));
+        let left = most.saturating_sub(from_files.load(Ordering::Relaxed));
+        if !self.given && bytes > left {
             return Err(Shortage {
                 wanted: bytes,
-                left: most.min(self.left()),
+                left: left.min(self.left()),
             });
         }
-        self.take(bytes)
+        self.take(bytes)?;
+        from_files.fetch_add(bytes, Ordering::Relaxed);
+        files.fetch_add(on_disk, Ordering::Relaxed);
+        Ok(())
     }
 
     /// Asks for so many bytes for a while. Callers call it before they allocate memory that they will free soon.
@@ -262,22 +282,26 @@ mod tests {
     }
 
     #[test]
-    fn a_small_file_gets_what_a_person_allows_or_little() {
+    fn small_files_together_get_what_a_person_allows_or_little() {
         let most = OF_A_SMALL_FILE;
-        let default = MemoryLimit {
+        let default = || MemoryLimit {
             given: false,
             ..MemoryLimit::of(1 << 40)
         };
-        default.take_from_files(most, 1).unwrap();
-        let shortage = default.take_from_files(most + 1, 1 << 20).unwrap_err();
-        assert_eq!(shortage.left, most);
-        default.take_from_files(2 * most, 2 << 20).unwrap();
-        assert!(default.take_from_files(2 * most + 1, 2 << 20).is_err());
+        let memory = default();
+        memory.take_from_files(most - 5, 1).unwrap();
+        let shortage = memory.take_from_files(6, 1).unwrap_err();
+        assert_eq!(shortage.left, 5, "of all files together");
         assert_eq!(
-            default.left(),
-            (1 << 40) - 3 * most,
+            memory.left(),
+            (1 << 40) - (most - 5),
             "a refusal takes nothing"
         );
+        memory.take_from_files(5, 1).unwrap();
+        // A larger file gets more, and not for the small ones before it.
+        let large = 3 * most / MOST_FOR_A_BYTE;
+        memory.take_from_files(2 * most, large).unwrap();
+        assert!(default().take_from_files(3 * most + 1, large).is_err());
         let given = MemoryLimit::of(1 << 40);
         given.take_from_files(1 << 40, 1).unwrap();
         assert!(

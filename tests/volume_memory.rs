@@ -2,7 +2,7 @@
 
 mod kit;
 
-use kit::scene::refused;
+use kit::scene::{Folder, refused};
 use kit::volume::*;
 
 /// The most memory that the process has ever asked for, in KiB, touched or not; nothing where there is no /proc.
@@ -83,17 +83,35 @@ fn small_files_are_refused_what_no_person_allowed(cube: &Nifti) {
     let nifti = gzip_with_zeros(&large.bytes(), 144 << 20);
     let head = nrrd_head("uchar", "gzip", "little", "").replace("2 3 4", "512 512 576");
     let nrrd = [head.as_bytes(), b"\n", &gzip_with_zeros(b"", 144 << 20)].concat();
-    let one = gzip_with_zeros(b"", 1 << 20);
+    // What follows the samples is never read, but makes the file one of 9 KB.
+    let one = [gzip_with_zeros(b"", 1 << 20), vec![0; 8 << 10]].concat();
     let listed = format!("{head}data file: LIST\n{}", "z.gz\n".repeat(288));
     let listed = listed.replace("512 512 576", "1024 1024 288");
+    // The same file by many names is still one.
+    let renamed = (0..288).fold(listed.clone(), |text, n| {
+        text.replacen("\nz.gz", &format!("\n{}z.gz", "./".repeat(n + 1)), 1)
+    });
     for files in [
         vec![("v.nii.gz", &nifti[..])],
         vec![("v.nrrd", &nrrd)],
         vec![("v.nhdr", listed.as_bytes()), ("z.gz", &one)],
+        vec![("v.nhdr", renamed.as_bytes()), ("z.gz", &one)],
     ] {
         assert!(files.iter().all(|(_, bytes)| bytes.len() < 1 << 20));
         refused(load(&files)).says("no more than 176.0 MiB");
     }
+    // Each of three volumes would fit alone.
+    let third = Nifti {
+        dim: [3, 512, 512, 100, 1, 1, 1, 1],
+        ..cube.clone()
+    };
+    let packed = gzip_with_zeros(&third.bytes(), 100 << 18);
+    let volume = "[[volume]]\nfile = \"v.nii.gz\"\ntransfer = [{ value = 0, color = [1, 1, 1], density = 1 }]\n";
+    let folder = Folder::new()
+        .with("s.toml", volume.repeat(3))
+        .with("v.nii.gz", packed);
+    refused(folder.load("s.toml")).says("no more than 76.0 MiB");
+    // One of them is read before the second is refused.
     let grown = peak().expect("it was there before") - before;
-    assert!(grown < 64 << 10, "{grown} KiB");
+    assert!(grown < (100 + 64) << 10, "{grown} KiB");
 }

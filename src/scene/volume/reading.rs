@@ -1,5 +1,6 @@
 //! The options and the results of every reader of volumes.
 
+use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 
 use glam::DAffine3;
@@ -66,6 +67,22 @@ impl Stored {
             read: bytes,
             distinct: bytes,
         }
+    }
+
+    /// The sizes of other files with these, up to the first one that is missing, because a header can name more files than
+    /// any disk has. A file with two names is one file.
+    pub(super) fn and(mut self, paths: impl Iterator<Item = PathBuf>) -> Self {
+        let mut known = HashSet::new();
+        for path in paths {
+            let (Ok(file), Ok(metadata)) = (path.canonicalize(), path.metadata()) else {
+                break;
+            };
+            self.read = self.read.saturating_add(metadata.len());
+            if known.insert(file) {
+                self.distinct = self.distinct.saturating_add(metadata.len());
+            }
+        }
+        self
     }
 }
 

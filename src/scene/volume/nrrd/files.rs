@@ -1,6 +1,6 @@
 //! The files that hold the samples: the header's file, a file of their own, or several files.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 use std::path::PathBuf;
 
 use super::axes::Axes;
@@ -102,21 +102,9 @@ impl<'h> Files<'h> {
         Err(header.wrong("data file", what, "Name a file for each part."))
     }
 
-    /// What all files have, the header's own with these bytes; up to the first one that is missing, because a header can
-    /// number more files than any disk has.
+    /// The sizes of all files. The header's own has these bytes.
     pub(super) fn stored(&self, header: &Header, own: &[u8]) -> Stored {
-        let mut stored = Stored::of(own);
-        let mut known = HashSet::new();
-        for path in self.all(header) {
-            let Ok(metadata) = path.metadata() else {
-                break;
-            };
-            stored.read = stored.read.saturating_add(metadata.len());
-            if known.insert(path) {
-                stored.distinct = stored.distinct.saturating_add(metadata.len());
-            }
-        }
-        stored
+        Stored::of(own).and(self.all(header))
     }
 
     fn all<'f>(&'f self, header: &'f Header) -> impl Iterator<Item = PathBuf> + 'f {

@@ -77,18 +77,10 @@ pub(super) fn read_parallel(path: &Path, bytes: &[u8], wish: &Wish) -> Result<Lo
     finish(&document, &image, whole, &choice, assembly, notice, wish)
 }
 
-/// What the files have that pieces name, all different ones. A file that is missing has nothing.
+/// The sizes of the files that pieces name.
 fn stored_in_pieces(path: &Path, element: Node) -> Stored {
     let sources = children(element, "Piece").filter_map(|piece| piece.attribute("Source"));
-    let sources: HashSet<_> = sources.collect();
-    let sizes = sources
-        .iter()
-        .filter_map(|source| beside(path, source).metadata().ok());
-    let bytes = sizes.map(|metadata| metadata.len()).sum();
-    Stored {
-        read: bytes,
-        distinct: bytes,
-    }
+    Stored::default().and(sources.map(|source| beside(path, source)))
 }
 
 fn add_file(path: &Path, choice: &Choice, assembly: &mut Assembly, wish: &Wish) -> Result<()> {
