@@ -3,9 +3,9 @@
 //! A re-export (`pub use`) is not an import: whoever names what it re-exports imports the file that has it.
 
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
-use std::path::Path;
 
 use crate::imports::House;
+use crate::sources;
 
 /// Files that import each other in a circle, a line each: from where, what, and the way back.
 fn circles(imports: &BTreeMap<String, BTreeMap<String, String>>) -> Vec<String> {
@@ -52,8 +52,7 @@ fn way(
 #[test]
 fn no_files_import_each_other_in_a_circle() {
     for root in ["lib.rs", "main.rs"] {
-        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
-        let house = House::read(&folder, root);
+        let house = House::read(&sources::root(), root);
         let circles = circles(&house.imports());
         assert!(circles.is_empty(), "{}", circles.join("\n"));
     }

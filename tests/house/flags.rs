@@ -1,13 +1,14 @@
 //! The library names no argument of the command line: what it says is read by callers that have none.
 
 use std::fs;
-use std::path::{Path, PathBuf};
 
 use proc_macro2::{TokenStream, TokenTree};
 
+use crate::sources::{files, root};
+
 #[test]
 fn messages_outside_of_the_command_line_name_no_flag() {
-    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let source = root();
     let mut read = 0;
     let mut found = Vec::new();
     for file in files(&source) {
@@ -34,18 +35,6 @@ fn a_flag_is_noticed_and_a_comment_or_an_arrow_is_not() {
     assert_eq!(flags(r#"const A: &str = "render with -m exact";"#), 1);
     assert_eq!(flags(r#"/// As --peels has it."#), 0);
     assert_eq!(flags(r#"const A: &str = "a -> b -- c -";"#), 0);
-}
-
-fn files(folder: &Path) -> Vec<PathBuf> {
-    let entries = fs::read_dir(folder).unwrap();
-    let paths = entries.map(|entry| entry.unwrap().path());
-    paths
-        .flat_map(|path| match path.is_dir() {
-            true => files(&path),
-            false => vec![path],
-        })
-        .filter(|path| path.extension().is_some_and(|ending| ending == "rs"))
-        .collect()
 }
 
 /// Every literal, those within macros too, but for attributes, as which comments of documentation are read.

@@ -5,6 +5,8 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use crate::sources::{files, root};
+
 /// Every room with its floor, as the README's plan has them: a floor's number stands before its first room.
 fn floors() -> Vec<(String, u32)> {
     let readme = include_str!("../../README.md");
@@ -33,7 +35,7 @@ fn every_room_imports_only_from_floors_below() {
     };
     let mut rooms = BTreeSet::new();
     let mut wrong = Vec::new();
-    for file in sources(&root()) {
+    for file in sources() {
         let room = room_of(&file);
         let its_floor = floor(&room).unwrap_or_else(|| panic!("{room} has no floor"));
         for imported in imports(&fs::read_to_string(&file).unwrap()) {
@@ -71,7 +73,7 @@ fn an_import_from_above_would_be_found() {
 
 #[test]
 fn unsafe_code_stands_in_gl_only() {
-    for file in sources(&root()) {
+    for file in sources() {
         let text = fs::read_to_string(&file).unwrap();
         let allowed = file.strip_prefix(root()).unwrap().starts_with("gl");
         let code = text
@@ -84,23 +86,10 @@ fn unsafe_code_stands_in_gl_only() {
     }
 }
 
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("src")
-}
-
-fn sources(folder: &Path) -> Vec<PathBuf> {
-    let mut found = Vec::new();
-    for entry in fs::read_dir(folder).unwrap() {
-        let path = entry.unwrap().path();
-        if path.is_dir() {
-            found.extend(sources(&path));
-        } else if path.extension().is_some_and(|ending| ending == "rs")
-            && path != root().join("lib.rs")
-        {
-            found.push(path);
-        }
-    }
-    found
+/// Every file but the crate's root, which has no room.
+fn sources() -> impl Iterator<Item = PathBuf> {
+    let files = files(&root()).into_iter();
+    files.filter(|file| *file != root().join("lib.rs"))
 }
 
 fn room_of(file: &Path) -> String {

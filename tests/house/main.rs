@@ -6,4 +6,5 @@ mod floors;
 mod imports;
 mod papers;
 mod readme;
+mod sources;
 mod surface;

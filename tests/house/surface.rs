@@ -3,17 +3,18 @@
 
 use std::collections::BTreeSet;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use syn::{ImplItem, Item, UseTree, Visibility};
 
+use crate::sources::{files, root};
+
 #[test]
 fn public_items_are_those_that_are_kept() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let kept = root.join("tests/transcripts/public_items.txt");
+    let kept = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/transcripts/public_items.txt");
     let mut all = BTreeSet::new();
-    for file in files(&root.join("src")) {
-        let name = file.strip_prefix(root.join("src")).unwrap();
+    for file in files(&root()) {
+        let name = file.strip_prefix(root()).unwrap();
         if !name.starts_with("cli") {
             let text = fs::read_to_string(&file).unwrap();
             let items = public(&syn::parse_file(&text).unwrap().items);
@@ -106,16 +107,4 @@ fn imported(tree: &UseTree, found: &mut Vec<String>) {
         UseTree::Glob(_) => found.push("use *".into()),
         UseTree::Group(group) => group.items.iter().for_each(|tree| imported(tree, found)),
     }
-}
-
-fn files(folder: &Path) -> Vec<PathBuf> {
-    let entries = fs::read_dir(folder).unwrap();
-    let paths = entries.map(|entry| entry.unwrap().path());
-    paths
-        .flat_map(|path| match path.is_dir() {
-            true => files(&path),
-            false => vec![path],
-        })
-        .filter(|path| path.extension().is_some_and(|ending| ending == "rs"))
-        .collect()
 }
