@@ -4,7 +4,7 @@ use std::sync::LazyLock;
 
 use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches};
-use onionskin::methods::{Choice, Takes, registry};
+use onionskin::methods::{Choice, Takes, Technique, methods_with, registry};
 use onionskin::{Error, Method, Result};
 
 /// The options that are given on the command line, by name and value.
@@ -33,14 +33,11 @@ impl Chosen {
     /// If the method does not have an option, or options do not fit together.
     pub(super) fn apply_to(&self, mut method: Method) -> Result<Method> {
         for (name, value) in &self.0 {
-            if !method.has(name) {
-                return Err(refusal(method, name));
-            }
             method
                 .choose(name, value)
                 .map_err(|error| named(name, error))?;
         }
-        onionskin::methods::Technique::check(&method)?;
+        method.check()?;
         Ok(method)
     }
 }
@@ -51,36 +48,15 @@ fn offered() -> &'static [(Choice, String)] {
         let mut offered: Vec<(Choice, String)> = Vec::new();
         for choice in registry().iter().flat_map(|row| row.method.choices()) {
             if offered.iter().all(|(other, _)| other.name != choice.name) {
-                offered.push((choice, format!("Options of {}", knowing(choice.name))));
+                offered.push((
+                    choice,
+                    format!("Options of {}", methods_with(choice.name).join(", ")),
+                ));
             }
         }
         offered
     });
     &OFFERED
-}
-
-/// The methods that have an option. Of a name with a `+`, only the part before it is kept.
-fn knowing(name: &str) -> String {
-    let rows = registry().iter().filter(|row| row.method.has(name));
-    let mut names: Vec<_> = rows.filter_map(|row| row.name.split('+').next()).collect();
-    names.dedup();
-    names.join(", ")
-}
-
-fn refusal(method: Method, name: &str) -> Error {
-    let own = method.choices();
-    let own: Vec<_> = own
-        .iter()
-        .map(|choice| format!("--{}", choice.name))
-        .collect();
-    let own = match own.is_empty() {
-        true => format!("{method} has no options"),
-        false => format!("{method} has {}", own.join(", ")),
-    };
-    Error::usage(
-        format!("{method} has no --{name}"),
-        format!("it is an option of {}; {own}", knowing(name)),
-    )
 }
 
 /// The error, with the option's name.

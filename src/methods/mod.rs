@@ -73,7 +73,7 @@ pub use complexity::{Bin, Complexity, CountBy};
 pub use depth_unit_0::{DepthSource, DepthUnit0, Experiment, Place};
 pub use entry::{Entry, Memory, Ties, Volumes};
 pub use hanging::Hanging;
-pub use registry::{Listed, Method, registry};
+pub use registry::{Listed, Method, methods_with, registry};
 pub use renderer::{Frame, Layer, Renderer};
 pub use slicing::{DEFAULT_SLICES, MOST_SLICES};
 pub use sorting::TriangleSort;

@@ -139,20 +139,27 @@ fn choose<O: Published>(method: Method, options: &mut O, name: &str, value: &str
     (setter.set)(options, value)
 }
 
-/// The remedy for an unknown option: the methods that have it, and the options of this method.
+/// The error for an unknown option: the methods that have it, and the options of this method.
 fn refusal(method: Method, name: &str) -> Error {
-    let who = registry().iter().filter(|row| row.method.has(name));
-    let who: Vec<_> = who.map(|row| row.name).collect();
+    let who = methods_with(name);
     let own: Vec<_> = method.choices().iter().map(|choice| choice.name).collect();
     let own = match own.is_empty() {
         true => format!("{method} has no options"),
-        false => format!("{method} has: {}", own.join(", ")),
+        false => format!("{method} has {}", own.join(", ")),
     };
     let remedy = match who.is_empty() {
         true => own,
         false => format!("it is an option of {}; {own}", who.join(", ")),
     };
-    Error::usage(format!("{method} has no option {name}"), remedy)
+    Error::option(name, format!("{method} has no such option"), remedy)
+}
+
+/// The methods that have an option. Of a name with a `+`, only the part before it is kept.
+pub fn methods_with(option: &str) -> Vec<&'static str> {
+    let rows = registry().iter().filter(|row| row.method.has(option));
+    let mut names: Vec<_> = rows.filter_map(|row| row.name.split('+').next()).collect();
+    names.dedup();
+    names
 }
 
 /// A row of the registry: a method with its default options, and its facts.
@@ -279,7 +286,7 @@ mod tests {
     #[test]
     fn what_another_method_has_is_refused_and_its_owner_named() {
         let error = Method::Blend.choose("peels", "0").unwrap_err().to_string();
-        assert!(error.contains("blend has no option peels"), "{error}");
+        assert!(error.contains("blend has no such option"), "{error}");
         assert!(error.contains("coplanar-depth-peeling"), "{error}");
     }
 }

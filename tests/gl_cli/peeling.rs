@@ -77,9 +77,11 @@ fn options_that_a_method_does_not_have_are_refused_with_those_that_have_them() {
         all.extend_from_slice(arguments);
         Desk::new().refused(&all)
     };
-    refused(&["painter", "--sort", "objects"]).says(&["painter has no --sort", "coherent"]);
+    refused(&["painter", "--sort", "objects"])
+        .says(&["--sort: painter has no such option", "coherent"]);
     refused(&["painter", "--as-printed"]).says(&["painter has no", "--as-printed"]);
-    refused(&["layer-peeling", "--peels", "3"]).says(&["layer-peeling has no --peels"]);
+    refused(&["layer-peeling", "--peels", "3"])
+        .says(&["--peels: layer-peeling has no such option"]);
     refused(&["coherent-layer-peeling-a", "--improve", "tight-bound"]).says(&["Algorithm 2"]);
     refused(&["ideal-coherent-layer-peeling", "--improve", "early-stop"]).says(&["tight-bound"]);
     refused(&[
