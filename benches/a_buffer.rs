@@ -3,10 +3,9 @@
 //!
 //! `cargo bench --bench a_buffer [SCENE.toml ...]`; without scenes, figure 7's 64 quads, a generated mesh and the molecule.
 
-use onionskin::fragment::Rgba;
-use onionskin::methods::{ABufferOptions, ArraySort, Fill, Manager};
-use onionskin::scene::generate::{TorusKnot, torus_knot};
-use onionskin::{Context, Method, Renderer, Result, Scene};
+use onionskin::generate::{TorusKnot, torus_knot};
+use onionskin::options::{ABufferOptions, ArraySort, Fill, Manager};
+use onionskin::{Context, Method, Renderer, Result, Rgba, Scene};
 
 const SIZE: [u32; 2] = [1024, 768];
 /// The number of frames, or fewer if they do not begin within two seconds.

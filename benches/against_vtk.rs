@@ -7,10 +7,7 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use onionskin::gl::Format;
-use onionskin::methods::Stats;
-use onionskin::scene::Shading;
-use onionskin::{Context, Method, Renderer, Result, Scene};
+use onionskin::{Context, Format, Method, Renderer, Result, Scene, Shading, Stats};
 
 const TURNS: usize = 5;
 const FRAMES: usize = 5;

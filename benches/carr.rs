@@ -2,9 +2,9 @@
 //!
 //! `cargo bench --bench carr`. The Stanford bunny takes part if `ONIONSKIN_BUNNY` names its scene file.
 
-use onionskin::methods::{CoherentOptions, IdealOptions, Stats, TriangleSort, Variant};
-use onionskin::scene::generate::{Order, Slices, slices};
-use onionskin::{Context, Method, Renderer, Result, Scene};
+use onionskin::generate::{Order, Slices, slices};
+use onionskin::options::{CoherentOptions, IdealOptions, TriangleSort, Variant};
+use onionskin::{Context, Method, Renderer, Result, Scene, Stats};
 
 /// The number of frames of a median, or fewer if they take too long.
 const FRAMES: usize = 5;

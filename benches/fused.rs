@@ -7,7 +7,7 @@
 
 use std::path::Path;
 
-use onionskin::methods::{ABufferOptions, Fill, Manager};
+use onionskin::options::{ABufferOptions, Fill, Manager};
 use onionskin::report::{BarGroup, bars};
 use onionskin::{Context, Error, Method, Renderer, Result, Scene};
 

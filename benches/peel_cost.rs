@@ -4,11 +4,11 @@
 
 use std::time::Instant;
 
-use onionskin::gl::{Format, Geometry, GlMachine};
-use onionskin::methods::{Compositing, DepthPeelingOptions};
-use onionskin::papers::{stage, vtk};
-use onionskin::steps::{Dialect, Listing, Map, Variables, gl::*, run};
-use onionskin::{Context, Method, Renderer, Result, Scene, steps};
+use onionskin::low_level::gl::{Geometry, GlMachine};
+use onionskin::low_level::papers::{stage, vtk};
+use onionskin::low_level::steps::{self, Dialect, Listing, Map, Variables, gl::*, run};
+use onionskin::options::{Compositing, DepthPeelingOptions};
+use onionskin::{Context, Format, Method, Renderer, Result, Scene, steps};
 
 const ROUNDS: usize = 9;
 const IMAGE: Map = Map::named("image");

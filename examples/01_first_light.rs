@@ -6,9 +6,7 @@
 //! `cargo run --example 01_first_light [FOLDER]`
 
 use glam::{DVec3, Vec3};
-use onionskin::fragment::Rgba;
-use onionskin::scene::{Camera, Mesh, Vertex};
-use onionskin::{Context, Method, Renderer, Scene};
+use onionskin::{Camera, Context, Mesh, Method, Renderer, Rgba, Scene, Vertex};
 
 #[path = "common/example.rs"]
 mod example;

@@ -8,8 +8,7 @@
 //!
 //! `cargo run --example 02_why_order_matters [FOLDER]`
 
-use onionskin::image::{Comparison, difference_picture};
-use onionskin::{Context, Method, Renderer, Scene};
+use onionskin::{Comparison, Context, Method, Renderer, Scene, difference_picture};
 
 #[path = "common/example.rs"]
 mod example;

@@ -8,9 +8,8 @@
 //!
 //! `cargo run --example 03_layers_one_by_one [FOLDER]`
 
-use onionskin::fragment::Rgba;
-use onionskin::methods::{Compositing, DepthPeelingOptions, Layer};
-use onionskin::{Context, Image, Method, Renderer, Scene};
+use onionskin::options::{Compositing, DepthPeelingOptions};
+use onionskin::{Context, Image, Layer, Method, Renderer, Rgba, Scene};
 
 #[path = "common/example.rs"]
 mod example;

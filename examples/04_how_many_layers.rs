@@ -7,10 +7,8 @@
 //!
 //! `cargo run --example 04_how_many_layers [FOLDER]`
 
-use onionskin::fragment::Rgba;
-use onionskin::image::Comparison;
-use onionskin::methods::DepthPeelingOptions;
-use onionskin::{Context, Image, Method, Renderer, Scene};
+use onionskin::options::DepthPeelingOptions;
+use onionskin::{Comparison, Context, Image, Method, Renderer, Rgba, Scene};
 
 #[path = "common/example.rs"]
 mod example;

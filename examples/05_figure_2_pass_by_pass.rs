@@ -9,17 +9,18 @@
 //!
 //! `cargo run --example 05_figure_2_pass_by_pass [FOLDER]`
 
-use onionskin::emulator::{Emulator, Group, Outcome, Record, Surface};
-use onionskin::fragment::{Fragment, Rgba};
-use onionskin::gl::{Geometry, GlMachine, capture};
-use onionskin::methods::{allocate_maps, begin_batch};
-use onionskin::papers::carr_2008::coherent::{self, PASS_5, PASS_6, RANGE_1, RANGE_3, RANGE_5};
-use onionskin::papers::carr_2008::passes::{PASS_1, PASS_2, PASS_3, PASS_4};
-use onionskin::papers::carr_2008::{D_SN, DEPTH_BUFFER, Z_MIN_POST, Z_MIN_PREV};
-use onionskin::papers::stage;
-use onionskin::scene::generate::{Quads, quads};
-use onionskin::steps::{Dialect, Format, Listing, Variables, Workspace, gl::*, run};
-use onionskin::{Context, Image, Result, Scene, steps};
+use onionskin::generate::{Quads, quads};
+use onionskin::low_level::emulator::{Emulator, Group, Outcome, Record, Surface};
+use onionskin::low_level::gl::{Geometry, GlMachine, capture};
+use onionskin::low_level::methods::{allocate_maps, begin_batch};
+use onionskin::low_level::papers::carr_2008::coherent::{
+    self, PASS_5, PASS_6, RANGE_1, RANGE_3, RANGE_5,
+};
+use onionskin::low_level::papers::carr_2008::passes::{PASS_1, PASS_2, PASS_3, PASS_4};
+use onionskin::low_level::papers::carr_2008::{D_SN, DEPTH_BUFFER, Z_MIN_POST, Z_MIN_PREV};
+use onionskin::low_level::papers::stage;
+use onionskin::low_level::steps::{self, Dialect, Listing, Variables, Workspace, gl::*, run};
+use onionskin::{Context, Format, Fragment, Image, Result, Rgba, Scene, steps};
 
 #[path = "common/example.rs"]
 mod example;
@@ -159,7 +160,7 @@ fn begin(machine: &mut impl Workspace, s4: f32) -> Result<()> {
 fn surfaces(gl: &mut GlMachine<'_>) -> Result<Vec<Surface>> {
     let mut captured = capture(gl, stage::OPAQUE_DEPTH, 1000)?;
     captured.sort_by_key(|fragment| fragment.order);
-    let surface = |fragment: &onionskin::gl::CapturedFragment| Surface {
+    let surface = |fragment: &onionskin::low_level::gl::CapturedFragment| Surface {
         fragment: Fragment {
             depth: fragment.depth,
             color: fragment.color,

@@ -8,8 +8,8 @@
 //!
 //! `cargo run --example 06_slices_and_cone [FOLDER]`
 
-use onionskin::methods::Variant;
-use onionskin::scene::generate::{Order, Slices, slices};
+use onionskin::generate::{Order, Slices, slices};
+use onionskin::options::Variant;
 use onionskin::{Context, Method, Renderer, Scene};
 
 #[path = "common/example.rs"]

@@ -7,9 +7,8 @@
 //!
 //! `cargo run --example 07_sorted_shuffled_reversed [FOLDER]`
 
-use onionskin::image::Comparison;
-use onionskin::methods::{CoherentOptions, TriangleSort, Variant};
-use onionskin::{Context, Method, Renderer, Scene};
+use onionskin::options::{CoherentOptions, TriangleSort, Variant};
+use onionskin::{Comparison, Context, Method, Renderer, Scene};
 
 #[path = "common/example.rs"]
 mod example;

@@ -10,10 +10,9 @@
 //!
 //! `cargo run --example 08_printed_blend_factors [FOLDER]`
 
-use onionskin::image::{Comparison, difference_picture};
-use onionskin::methods::{CoherentOptions, TriangleSort, Variant};
-use onionskin::steps::{Amendment, gl::*};
-use onionskin::{Context, Method, Renderer, Scene, steps};
+use onionskin::low_level::steps::{Amendment, gl::*};
+use onionskin::options::{CoherentOptions, TriangleSort, Variant};
+use onionskin::{Comparison, Context, Method, Renderer, Scene, difference_picture, steps};
 
 #[path = "common/example.rs"]
 mod example;

@@ -7,9 +7,8 @@
 //!
 //! `cargo run --example 09_ideal_gpu [FOLDER]`
 
-use onionskin::image::{Comparison, difference_picture};
-use onionskin::methods::{CoherentOptions, IdealOptions, TriangleSort, Variant};
-use onionskin::{Context, Method, Renderer, Scene};
+use onionskin::options::{CoherentOptions, IdealOptions, TriangleSort, Variant};
+use onionskin::{Comparison, Context, Method, Renderer, Scene, difference_picture};
 
 #[path = "common/example.rs"]
 mod example;

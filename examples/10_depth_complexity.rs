@@ -6,10 +6,8 @@
 //!
 //! `cargo run --example 10_depth_complexity [FOLDER]`
 
-use onionskin::fragment::Rgba;
-use onionskin::methods::CountBy;
 use onionskin::report::{Plot, PlotKind, picture, plot};
-use onionskin::{Context, Image, Renderer, Scene};
+use onionskin::{Context, CountBy, Image, Renderer, Rgba, Scene};
 
 #[path = "common/example.rs"]
 mod example;

@@ -8,7 +8,7 @@
 //!
 //! `cargo run --example 11_three_memory_managers [FOLDER]`
 
-use onionskin::methods::{ABufferOptions, Manager};
+use onionskin::options::{ABufferOptions, Manager};
 use onionskin::{Context, Method, Renderer, Scene};
 
 #[path = "common/example.rs"]

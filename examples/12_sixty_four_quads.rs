@@ -8,7 +8,7 @@
 //!
 //! `cargo run --example 12_sixty_four_quads [FOLDER]`
 
-use onionskin::methods::{ABufferOptions, Manager};
+use onionskin::options::{ABufferOptions, Manager};
 use onionskin::{Context, Method, Renderer, Scene};
 
 #[path = "common/example.rs"]

@@ -9,10 +9,8 @@
 //!
 //! `cargo run --example 13_shadow_mapping_is_a_depth_test [FOLDER]`
 
-use onionskin::fragment::Rgba;
-use onionskin::image::Comparison;
-use onionskin::methods::{Compositing, DepthPeelingOptions, DepthUnit0, Frame, Layer};
-use onionskin::{Context, Image, Method, Renderer, Scene};
+use onionskin::options::{Compositing, DepthPeelingOptions, DepthUnit0};
+use onionskin::{Comparison, Context, Frame, Image, Layer, Method, Renderer, Rgba, Scene};
 
 #[path = "common/example.rs"]
 mod example;

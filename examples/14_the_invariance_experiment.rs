@@ -11,13 +11,12 @@
 //!
 //! `cargo run --example 14_the_invariance_experiment [FOLDER]`
 
-use onionskin::fragment::Rgba;
-use onionskin::gl::Format;
-use onionskin::image::Comparison;
-use onionskin::methods::invariance::{Finding, Verdict, perspective_soup, run_experiment};
-use onionskin::methods::{DepthPeelingOptions, DepthSource, Experiment, Place};
-use onionskin::scene::generate::{Order, Quads, quads};
-use onionskin::{Context, Image, Method, Renderer, Result, Scene};
+use onionskin::generate::{Order, Quads, quads};
+use onionskin::low_level::methods::invariance::{
+    Finding, Verdict, perspective_soup, run_experiment,
+};
+use onionskin::options::{DepthPeelingOptions, DepthSource, Experiment, Place};
+use onionskin::{Comparison, Context, Format, Image, Method, Renderer, Result, Rgba, Scene};
 
 #[path = "common/example.rs"]
 mod example;

@@ -10,13 +10,11 @@
 //! `cargo run --example 15_coplanar_boxes [FOLDER]`
 
 use glam::{DVec3, Vec3};
-use onionskin::fragment::Rgba;
-use onionskin::gl::Format;
-use onionskin::image::Comparison;
-use onionskin::methods::coplanar::{Shown, shown};
-use onionskin::methods::registry;
-use onionskin::scene::{Camera, Mesh, Shading, Vertex};
-use onionskin::{Context, Image, Method, Renderer, Scene};
+use onionskin::low_level::methods::coplanar::{Shown, shown};
+use onionskin::{
+    Camera, Comparison, Context, Format, Image, Mesh, Method, Renderer, Rgba, Scene, Shading,
+    Vertex, registry,
+};
 
 #[path = "common/example.rs"]
 mod example;

@@ -7,10 +7,8 @@
 //!
 //! `cargo run --release --example 16_peels_and_ratio [FOLDER]`
 
-use onionskin::fragment::Rgba;
-use onionskin::image::Comparison;
-use onionskin::methods::{DepthPeelingOptions, DualDepthPeelingOptions, Frame};
-use onionskin::{Context, Image, Method, Renderer, Result, Scene};
+use onionskin::options::{DepthPeelingOptions, DualDepthPeelingOptions};
+use onionskin::{Comparison, Context, Frame, Image, Method, Renderer, Result, Rgba, Scene};
 
 #[path = "common/example.rs"]
 mod example;

@@ -11,11 +11,13 @@
 //! `cargo run --example 17_fog_between_panes [FOLDER]`
 
 use glam::{DAffine3, DVec3};
-use onionskin::methods::{ABufferOptions, RecordColor};
-use onionskin::oracle::volumes::Ray;
-use onionskin::scene::generate::{Quads, quads};
-use onionskin::scene::{Camera, Mesh, Transfer, TransferPoint, Transform, Volume};
-use onionskin::{Context, Image, Method, Renderer, Scene};
+use onionskin::generate::{Quads, quads};
+use onionskin::low_level::oracle::volumes::Ray;
+use onionskin::options::{ABufferOptions, RecordColor};
+use onionskin::{
+    Camera, Context, Image, Mesh, Method, Renderer, Scene, Transfer, TransferPoint, Transform,
+    Volume,
+};
 
 #[path = "common/example.rs"]
 mod example;

@@ -9,9 +9,8 @@
 //!
 //! `cargo run --example 18_two_volumes_and_a_mesh [FOLDER]`
 
-use onionskin::image::Comparison;
-use onionskin::methods::{ABufferOptions, Manager};
-use onionskin::{Context, Method, Renderer, Scene};
+use onionskin::options::{ABufferOptions, Manager};
+use onionskin::{Comparison, Context, Method, Renderer, Scene};
 
 #[path = "common/example.rs"]
 mod example;

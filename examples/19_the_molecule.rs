@@ -7,10 +7,8 @@
 //!
 //! `cargo run --release --example 19_the_molecule [FOLDER]`
 
-use onionskin::image::Comparison;
-use onionskin::methods::{ABufferOptions, CountBy, Manager};
-use onionskin::scene::Animation;
-use onionskin::{Context, Method, Renderer};
+use onionskin::options::{ABufferOptions, Manager};
+use onionskin::{Animation, Comparison, Context, CountBy, Method, Renderer};
 
 #[path = "common/example.rs"]
 mod example;

@@ -8,10 +8,9 @@
 //!
 //! `cargo run --release --example 20_figure_2_over_time [FOLDER]`
 
-use onionskin::methods::{ABufferOptions, CountBy};
+use onionskin::options::ABufferOptions;
 use onionskin::report::{Moment, save_series_csv, series};
-use onionskin::scene::Animation;
-use onionskin::{Context, Method, Renderer};
+use onionskin::{Animation, Context, CountBy, Method, Renderer};
 
 #[path = "common/example.rs"]
 mod example;

@@ -9,10 +9,9 @@
 //!
 //! `cargo run --release --example 21_both_papers_on_one_scene [FOLDER]`
 
-use onionskin::image::Comparison;
-use onionskin::methods::{ABufferOptions, RecordColor};
+use onionskin::options::{ABufferOptions, RecordColor};
 use onionskin::report::{Curves, convergence};
-use onionskin::{Context, Method, Renderer, Scene};
+use onionskin::{Comparison, Context, Method, Renderer, Scene};
 
 #[path = "common/example.rs"]
 mod example;

@@ -7,12 +7,13 @@
 //! `cargo run --example 22_a_ray_between_fragments`
 
 use glam::DVec3;
-use onionskin::emulator::{RayScene, RayVolume, run_on_rays};
-use onionskin::fragment::{Fragment, Rgba, Source};
-use onionskin::papers::lindholm_2015::components::PP_DP;
-use onionskin::papers::lindholm_2015::fused::{FUSED, FUSED_AMENDMENTS, FUSED_PP_DP};
-use onionskin::scene::Medium;
-use onionskin::steps::pseudo::list;
+use onionskin::low_level::emulator::{RayScene, RayVolume, run_on_rays};
+use onionskin::low_level::fragment::Source;
+use onionskin::low_level::papers::lindholm_2015::components::PP_DP;
+use onionskin::low_level::papers::lindholm_2015::fused::{FUSED, FUSED_AMENDMENTS, FUSED_PP_DP};
+use onionskin::low_level::scene::Medium;
+use onionskin::low_level::steps::pseudo::list;
+use onionskin::{Fragment, Rgba};
 
 fn main() -> onionskin::Result<()> {
     println!("{}", list::print(&FUSED, &FUSED_AMENDMENTS));

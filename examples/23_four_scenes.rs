@@ -8,8 +8,8 @@
 //!
 //! `cargo run --release --example 23_four_scenes [FOLDER]`
 
-use onionskin::methods::{ABufferOptions, CountBy, Manager};
-use onionskin::{Context, Method, Renderer, Scene};
+use onionskin::options::{ABufferOptions, Manager};
+use onionskin::{Context, CountBy, Method, Renderer, Scene};
 
 #[path = "common/example.rs"]
 mod example;

@@ -22,8 +22,7 @@ use crate::fragment::{Fragment, Rgba};
 /// `opaque_depth` are left out. Each fragment then goes under those before it: `C += (1 - A) a c`, `A += (1 - A) a`.
 ///
 /// ```
-/// use onionskin::fragment::{Fragment, Rgba};
-/// use onionskin::oracle::composite;
+/// use onionskin::{Fragment, Rgba, composite};
 ///
 /// let glass = |depth, color, order| Fragment { depth, color, order };
 /// let mut fragments = vec![

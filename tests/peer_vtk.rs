@@ -12,7 +12,7 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use onionskin::methods::DepthPeelingOptions;
+use onionskin::options::DepthPeelingOptions;
 use onionskin::{Context, Image, Method, Renderer, Scene};
 
 const SIZE: [u32; 2] = [512, 384];
@@ -20,9 +20,9 @@ const SIZE: [u32; 2] = [512, 384];
 const PEELING: Method = Method::DepthPeeling(DepthPeelingOptions {
     maximum_number_of_peels: 0,
     occlusion_ratio: 0.0,
-    compositing: onionskin::methods::Compositing::OnTheFly,
+    compositing: onionskin::options::Compositing::OnTheFly,
     as_printed: false,
-    depth_unit_0: onionskin::methods::DepthUnit0::Sampler,
+    depth_unit_0: onionskin::options::DepthUnit0::Sampler,
     amendments: &[],
 });
 

@@ -5,8 +5,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::Args;
-use onionskin::scene::Animation;
-use onionskin::{Error, Method, Renderer, Result};
+use onionskin::{Animation, Error, Method, Renderer, Result};
 use serde::Serialize;
 
 use super::encoding::EncodingOption;

@@ -4,7 +4,7 @@ use std::ffi::OsString;
 use std::process::ExitCode;
 
 use clap::Parser;
-use onionskin::error::printable;
+use onionskin::low_level::error::printable;
 
 use super::output::complain;
 

@@ -5,11 +5,8 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::Args;
-use onionskin::image::{
-    Comparison, FileKind, Image, check_writable, difference_picture, resemblance,
-};
-use onionskin::methods::Frame;
-use onionskin::{Error, Result, Scene};
+use onionskin::low_level::image::{FileKind, check_writable, resemblance};
+use onionskin::{Comparison, Error, Frame, Image, Result, Scene, difference_picture};
 use serde::Serialize;
 
 use super::output::{note, print_json, say};

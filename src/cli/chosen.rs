@@ -4,8 +4,8 @@ use std::sync::LazyLock;
 
 use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches};
-use onionskin::methods::{Choice, Takes, Technique, methods_with, registry};
-use onionskin::{Error, Method, Result};
+use onionskin::low_level::methods::{Choice, Takes, Technique, methods_with};
+use onionskin::{Error, Method, Result, registry};
 
 /// The options that are given on the command line, by name and value.
 pub(super) struct Chosen(Vec<(&'static str, String)>);

@@ -4,8 +4,7 @@ use std::process::ExitCode;
 
 use clap::Args;
 use comfy_table::{CellAlignment, Table, presets};
-use onionskin::methods::{Stats, registry};
-use onionskin::{Context, Method, Result};
+use onionskin::{Context, Method, Result, Stats, registry};
 
 use super::loss::loss;
 use super::output::{self, print_json, say};

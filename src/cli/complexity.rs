@@ -4,10 +4,9 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::{Args, ValueEnum};
-use onionskin::image::{FileKind, check_writable};
-use onionskin::methods::{Complexity, CountBy};
+use onionskin::low_level::image::{FileKind, check_writable};
 use onionskin::report::{self, PlotKind};
-use onionskin::{Error, Result};
+use onionskin::{Complexity, CountBy, Error, Result};
 use serde::Serialize;
 
 use super::output::{print_json, say};

@@ -3,8 +3,7 @@
 use std::process::ExitCode;
 
 use clap::Args;
-use onionskin::gl::Backend;
-use onionskin::{Error, Result};
+use onionskin::{Backend, Error, Result};
 
 use super::driver_report::{Form, Report};
 use super::output::say;

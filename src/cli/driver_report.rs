@@ -3,11 +3,8 @@
 use std::fmt;
 
 use clap::ValueEnum;
-use onionskin::Result;
-use onionskin::gl::{
-    Backend, Context, ContextOptions, Driver, GlMachine, Profile, Trap, WANTED_EXTENSIONS,
-};
-use onionskin::methods::registry;
+use onionskin::low_level::gl::{Driver, GlMachine, Profile, Trap, WANTED_EXTENSIONS};
+use onionskin::{Backend, Context, ContextOptions, Result, registry};
 use serde::{Serialize, Serializer};
 
 use super::output::{print_json, say};

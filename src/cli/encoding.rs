@@ -1,7 +1,7 @@
 //! The argument for the encoding of colours in pictures.
 
 use clap::Args;
-use onionskin::image::Encoding;
+use onionskin::Encoding;
 
 #[derive(Args)]
 pub(super) struct EncodingOption {

@@ -6,9 +6,9 @@ use std::fs::{self, File};
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
-use onionskin::image::{Encoding, Image, UNFINISHED};
+use onionskin::low_level::image::UNFINISHED;
 use onionskin::report::save_text;
-use onionskin::{Error, Result};
+use onionskin::{Encoding, Error, Image, Result};
 
 /// The file of the folder's identity: the scene, the method and so on.
 const IDENTITY: &str = "animation.txt";

@@ -1,6 +1,6 @@
 //! The row that `animate` writes for a frame, besides its picture.
 
-use onionskin::methods::{Complexity, Stats};
+use onionskin::{Complexity, Stats};
 
 /// A row of the table. Everything but `ms` is a count, and is the same in every run.
 pub(super) struct FrameRow(Vec<(&'static str, String)>);

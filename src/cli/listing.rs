@@ -3,10 +3,9 @@
 use std::process::ExitCode;
 
 use clap::Args;
-use onionskin::error::did_you_mean;
-use onionskin::papers::{papers, texts};
-use onionskin::steps::{self, Amendment, Recorder, Text, Variables, free_variables, run};
-use onionskin::{Error, Result};
+use onionskin::low_level::error::did_you_mean;
+use onionskin::low_level::steps::{self, Amendment, Recorder, Variables, free_variables, run};
+use onionskin::{Error, Result, Text, papers, texts};
 
 use super::output::say;
 

@@ -1,6 +1,6 @@
 //! Fragments that are not in an image.
 
-use onionskin::methods::{Stats, registry};
+use onionskin::{Stats, registry};
 
 /// The note about an image that is not whole, or `None` if it is.
 pub(super) fn loss(stats: &Stats) -> Option<String> {

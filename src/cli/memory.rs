@@ -1,7 +1,6 @@
 //! The memory of renderings, which is asked for before it is taken.
 
-use onionskin::methods::{CountBy, Frame};
-use onionskin::{Method, Renderer, Result, Scene};
+use onionskin::{CountBy, Frame, Method, Renderer, Result, Scene};
 
 use super::setup::Setup;
 

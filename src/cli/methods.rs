@@ -4,8 +4,7 @@ use std::process::ExitCode;
 
 use clap::Args;
 use comfy_table::{Table, presets};
-use onionskin::Result;
-use onionskin::methods::registry;
+use onionskin::{Result, registry};
 use serde::Serialize;
 
 use super::output::{print_json, say};

@@ -5,7 +5,7 @@
 use std::fmt::Display;
 use std::io::{ErrorKind, Write, stderr, stdout};
 
-use onionskin::error::{printable, printable_json, printable_lines};
+use onionskin::low_level::error::{printable, printable_json, printable_lines};
 use onionskin::{Error, Result};
 use serde::Serialize;
 

@@ -6,9 +6,9 @@ use std::process::{Child, Command, ExitCode, ExitStatus, Stdio};
 use std::time::{Duration, Instant};
 
 use clap::{Args, ValueEnum};
-use onionskin::error::Attempt;
-use onionskin::gl::{Backend, ContextOptions, GlMachine, suspect_variables};
-use onionskin::{Context, Error, Result};
+use onionskin::low_level::error::Attempt;
+use onionskin::low_level::gl::{GlMachine, suspect_variables};
+use onionskin::{Backend, Context, ContextOptions, Error, Result};
 
 use super::driver_report::{Form, Report};
 

@@ -6,7 +6,7 @@ use std::thread::JoinHandle;
 use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use onionskin::error::printable;
+use onionskin::low_level::error::printable;
 
 const PATIENCE: Duration = Duration::from_secs(1);
 

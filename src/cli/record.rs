@@ -1,8 +1,7 @@
 //! The JSON object of a frame, for `render --json` and `compare --json`.
 
-use onionskin::Result;
-use onionskin::image::Comparison;
-use onionskin::methods::{ABufferCounts, Frame, Stats};
+use onionskin::low_level::methods::ABufferCounts;
+use onionskin::{Comparison, Frame, Result, Stats};
 use serde::Serialize;
 
 /// How many frames a time is the median of.

@@ -4,9 +4,8 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::Args;
-use onionskin::image::{FileKind, check_writable};
-use onionskin::methods::Frame;
-use onionskin::{Method, Result};
+use onionskin::low_level::image::{FileKind, check_writable};
+use onionskin::{Frame, Method, Result};
 
 use super::encoding::EncodingOption;
 use super::loss::loss;

@@ -4,10 +4,10 @@ use std::cell::OnceCell;
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use onionskin::gl::{Backend, Format};
-use onionskin::oracle::DepthBuffer;
-use onionskin::scene::{Animation, LoadOptions};
-use onionskin::{Context, Error, MemoryLimit, Renderer, Result, Scene};
+use onionskin::low_level::oracle::DepthBuffer;
+use onionskin::{
+    Animation, Backend, Context, Error, Format, LoadOptions, MemoryLimit, Renderer, Result, Scene,
+};
 
 use super::output::note;
 use super::probe;

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use clap::Args;
-use onionskin::methods::{MOST_SLICES, Volumes};
+use onionskin::low_level::methods::{MOST_SLICES, Volumes};
 use onionskin::{Error, Method, Renderer, Result, Scene};
 
 #[derive(Args)]

@@ -32,8 +32,18 @@ macro_rules! declare {
     ($($file:ident: $name:ident $(($options:ident))?,)*) => {
         $(
             mod $file;
-            pub use $file::*;
         )*
+
+        /// The options of methods, and the types of their fields. A method without options has a type of its own name.
+        ///
+        /// Options grow. Name those that you set, and take the others from the default, as in
+        /// `ABufferOptions { pp_dp: true, ..Default::default() }`. `#[non_exhaustive]` would forbid exactly this, so these
+        /// structs do without it.
+        pub mod options {
+            $(pub use crate::methods::$file::*;)*
+            pub use crate::methods::depth_unit_0::{DepthSource, DepthUnit0, Experiment, Place};
+            pub use crate::methods::sorting::TriangleSort;
+        }
     };
 }
 
@@ -70,12 +80,11 @@ pub use allocate_maps::allocate_maps;
 pub use batches::begin_batch;
 pub use choice::{Choice, Takes};
 pub use complexity::{Bin, Complexity, CountBy};
-pub use depth_unit_0::{DepthSource, DepthUnit0, Experiment, Place};
 pub use entry::{Entry, Memory, Ties, Volumes};
 pub use hanging::Hanging;
+pub use options::*;
 pub use registry::{Listed, Method, methods_with, registry};
 pub use renderer::{Frame, Layer, Renderer};
 pub use slicing::{DEFAULT_SLICES, MOST_SLICES};
-pub use sorting::TriangleSort;
 pub use stats::{ABufferCounts, Peeling, Stats};
 pub use technique::Technique;

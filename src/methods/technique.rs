@@ -13,12 +13,11 @@ use crate::error::Result;
 /// one's own is one more: here light that is added up, whatever stands before it.
 ///
 /// ```
-/// use onionskin::gl::GlMachine;
-/// use onionskin::methods::{Algorithm, Drawn, Entry, Memory, Setup, Technique, Ties, Volumes};
-/// use onionskin::papers::stage::OPAQUE_FIRST;
-/// use onionskin::scene::{Scene, generate};
-/// use onionskin::steps::{Dialect, Listing, Variables, gl::*, run};
-/// use onionskin::{Context, Renderer, Result, steps};
+/// use onionskin::low_level::gl::GlMachine;
+/// use onionskin::low_level::methods::{Algorithm, Drawn, Memory, Setup, Technique, Ties, Volumes};
+/// use onionskin::low_level::papers::stage::OPAQUE_FIRST;
+/// use onionskin::low_level::steps::{Dialect, Listing, Variables, gl::*, run};
+/// use onionskin::{Context, Entry, Renderer, Result, Scene, generate, steps};
 ///
 /// const ADD: Listing = Listing {
 ///     title: "Light adds up",

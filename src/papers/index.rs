@@ -35,8 +35,8 @@ every_paper!(index);
 /// paper, such as `everitt`, for all of its texts.
 ///
 /// ```
-/// use onionskin::papers::texts;
-/// use onionskin::steps::{Recorder, Text, Variables, print, run};
+/// use onionskin::low_level::steps::{Recorder, Variables, print, run};
+/// use onionskin::{Text, texts};
 ///
 /// let (name, text) = texts("everitt/listing-1")?.remove(0);
 /// let Text::Listing(listing, amendments) = text else {

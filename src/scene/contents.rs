@@ -11,9 +11,7 @@ use super::volume::Volume;
 /// The exact image of triangles of one's own:
 ///
 /// ```
-/// use onionskin::fragment::Rgba;
-/// use onionskin::scene::{Camera, Mesh, Vertex};
-/// use onionskin::{Context, Method, Renderer, Scene};
+/// use onionskin::{Camera, Context, Mesh, Method, Renderer, Rgba, Scene, Vertex};
 ///
 /// let corner = |x, y| Vertex { position: [x, y, 0.0].into(), ..Vertex::default() };
 /// let corners = vec![corner(-1.0, -1.0), corner(3.0, -1.0), corner(-1.0, 3.0)];

@@ -10,7 +10,7 @@
 ///   `stop if (count == 0) because EmptyLayer;`, `run LISTING amended by AMENDMENTS;`.
 ///
 /// ```
-/// use onionskin::steps::{gl::*, *};
+/// use onionskin::low_level::steps::{*, gl::*};
 /// let pass = onionskin::steps! {
 ///     glClearDepth(1.0);
 ///     glClear(DEPTH_BUFFER_BIT);
@@ -24,7 +24,7 @@
 macro_rules! steps {
     ($($step:tt)*) => {
         {
-            const STEPS: &[$crate::steps::Step] = $crate::steps_of!([] $($step)*);
+            const STEPS: &[$crate::low_level::steps::Step] = $crate::steps_of!([] $($step)*);
             STEPS
         }
     };
@@ -39,42 +39,42 @@ macro_rules! steps_of {
 
     // Everitt's phrases.
     ([$($done:expr,)*] clear color buffer; $($rest:tt)*) => {
-        $crate::steps_of!([$($done,)* $crate::steps::Step::Call($crate::steps::gl::glClear($crate::steps::gl::COLOR_BUFFER_BIT)),] $($rest)*)
+        $crate::steps_of!([$($done,)* $crate::low_level::steps::Step::Call($crate::low_level::steps::gl::glClear($crate::low_level::steps::gl::COLOR_BUFFER_BIT)),] $($rest)*)
     };
     ([$($done:expr,)*] clear depth buffer; $($rest:tt)*) => {
-        $crate::steps_of!([$($done,)* $crate::steps::Step::Call($crate::steps::gl::glClear($crate::steps::gl::DEPTH_BUFFER_BIT)),] $($rest)*)
+        $crate::steps_of!([$($done,)* $crate::low_level::steps::Step::Call($crate::low_level::steps::gl::glClear($crate::low_level::steps::gl::DEPTH_BUFFER_BIT)),] $($rest)*)
     };
     ([$($done:expr,)*] enable depth test; $($rest:tt)*) => {
-        $crate::steps_of!([$($done,)* $crate::steps::Step::Call($crate::steps::gl::glEnable($crate::steps::gl::DEPTH_TEST)),] $($rest)*)
+        $crate::steps_of!([$($done,)* $crate::low_level::steps::Step::Call($crate::low_level::steps::gl::glEnable($crate::low_level::steps::gl::DEPTH_TEST)),] $($rest)*)
     };
     ([$($done:expr,)*] disable depth test; $($rest:tt)*) => {
-        $crate::steps_of!([$($done,)* $crate::steps::Step::Call($crate::steps::gl::glDisable($crate::steps::gl::DEPTH_TEST)),] $($rest)*)
+        $crate::steps_of!([$($done,)* $crate::low_level::steps::Step::Call($crate::low_level::steps::gl::glDisable($crate::low_level::steps::gl::DEPTH_TEST)),] $($rest)*)
     };
     ([$($done:expr,)*] enable depth writes; $($rest:tt)*) => {
-        $crate::steps_of!([$($done,)* $crate::steps::Step::Call($crate::steps::gl::glDepthMask(true)),] $($rest)*)
+        $crate::steps_of!([$($done,)* $crate::low_level::steps::Step::Call($crate::low_level::steps::gl::glDepthMask(true)),] $($rest)*)
     };
     ([$($done:expr,)*] disable depth writes; $($rest:tt)*) => {
-        $crate::steps_of!([$($done,)* $crate::steps::Step::Call($crate::steps::gl::glDepthMask(false)),] $($rest)*)
+        $crate::steps_of!([$($done,)* $crate::low_level::steps::Step::Call($crate::low_level::steps::gl::glDepthMask(false)),] $($rest)*)
     };
     ([$($done:expr,)*] set depth func to $func:ident; $($rest:tt)*) => {
-        $crate::steps_of!([$($done,)* $crate::steps::Step::Call($crate::steps::gl::glDepthFunc($crate::steps::gl::$func)),] $($rest)*)
+        $crate::steps_of!([$($done,)* $crate::low_level::steps::Step::Call($crate::low_level::steps::gl::glDepthFunc($crate::low_level::steps::gl::$func)),] $($rest)*)
     };
     ([$($done:expr,)*] bind buffer $buffer:ident; $($rest:tt)*) => {
-        $crate::steps_of!([$($done,)* $crate::steps::Step::Call($crate::steps::gl::bindDepthBuffer(
-            $crate::steps::Map::at("depth buffer", stringify!($buffer)),
+        $crate::steps_of!([$($done,)* $crate::low_level::steps::Step::Call($crate::low_level::steps::gl::bindDepthBuffer(
+            $crate::low_level::steps::Map::at("depth buffer", stringify!($buffer)),
         )),] $($rest)*)
     };
     ([$($done:expr,)*] render scene; $($rest:tt)*) => {
-        $crate::steps_of!([$($done,)* $crate::steps::Step::Call($crate::steps::gl::draw($crate::steps::Objects::Scene)),] $($rest)*)
+        $crate::steps_of!([$($done,)* $crate::low_level::steps::Step::Call($crate::low_level::steps::gl::draw($crate::low_level::steps::Objects::Scene)),] $($rest)*)
     };
     ([$($done:expr,)*] save color buffer RGBA as layer $layer:ident; $($rest:tt)*) => {
-        $crate::steps_of!([$($done,)* $crate::steps::Step::Call($crate::steps::gl::glCopyImageSubData(
-            $crate::steps::Map::named("color buffer"),
-            $crate::steps::Map::at("layer", stringify!($layer)),
+        $crate::steps_of!([$($done,)* $crate::low_level::steps::Step::Call($crate::low_level::steps::gl::glCopyImageSubData(
+            $crate::low_level::steps::Map::named("color buffer"),
+            $crate::low_level::steps::Map::at("layer", stringify!($layer)),
         )),] $($rest)*)
     };
     ([$($done:expr,)*] depth unit $unit:literal: { $($body:tt)* } $($rest:tt)*) => {
-        $crate::steps_of!([$($done,)* $crate::steps::Step::DepthUnit {
+        $crate::steps_of!([$($done,)* $crate::low_level::steps::Step::DepthUnit {
             unit: $unit,
             body: $crate::steps!($($body)*),
         },] $($rest)*)
@@ -82,53 +82,53 @@ macro_rules! steps_of {
 
     // Branches.
     ([$($done:expr,)*] if ($($condition:tt)*) { $($then:tt)* } else { $($otherwise:tt)* } $($rest:tt)*) => {
-        $crate::steps_of!([$($done,)* $crate::steps::Step::If {
+        $crate::steps_of!([$($done,)* $crate::low_level::steps::Step::If {
             condition: $crate::condition_of!($($condition)*),
             then: $crate::steps!($($then)*),
             otherwise: $crate::steps!($($otherwise)*),
         },] $($rest)*)
     };
     ([$($done:expr,)*] if ($($condition:tt)*) { $($then:tt)* } $($rest:tt)*) => {
-        $crate::steps_of!([$($done,)* $crate::steps::Step::If {
+        $crate::steps_of!([$($done,)* $crate::low_level::steps::Step::If {
             condition: $crate::condition_of!($($condition)*),
             then: $crate::steps!($($then)*),
             otherwise: &[],
         },] $($rest)*)
     };
     ([$($done:expr,)*] for ($i:ident in 0..$to:ident) { $($body:tt)* } $($rest:tt)*) => {
-        $crate::steps_of!([$($done,)* $crate::steps::Step::For {
+        $crate::steps_of!([$($done,)* $crate::low_level::steps::Step::For {
             variable: stringify!($i),
-            from: $crate::steps::Expr::Number(0.0),
-            to: $crate::steps::Expr::Variable(stringify!($to)),
+            from: $crate::low_level::steps::Expr::Number(0.0),
+            to: $crate::low_level::steps::Expr::Variable(stringify!($to)),
             body: $crate::steps!($($body)*),
         },] $($rest)*)
     };
     ([$($done:expr,)*] for ($i:ident in 0..$to:literal) { $($body:tt)* } $($rest:tt)*) => {
-        $crate::steps_of!([$($done,)* $crate::steps::Step::For {
+        $crate::steps_of!([$($done,)* $crate::low_level::steps::Step::For {
             variable: stringify!($i),
-            from: $crate::steps::Expr::Number(0.0),
-            to: $crate::steps::Expr::Number($to as f64),
+            from: $crate::low_level::steps::Expr::Number(0.0),
+            to: $crate::low_level::steps::Expr::Number($to as f64),
             body: $crate::steps!($($body)*),
         },] $($rest)*)
     };
     ([$($done:expr,)*] for ($i:ident in $from:ident..0) { $($body:tt)* } $($rest:tt)*) => {
-        $crate::steps_of!([$($done,)* $crate::steps::Step::ForDown {
+        $crate::steps_of!([$($done,)* $crate::low_level::steps::Step::ForDown {
             variable: stringify!($i),
-            from: $crate::steps::Expr::Variable(stringify!($from)),
+            from: $crate::low_level::steps::Expr::Variable(stringify!($from)),
             body: $crate::steps!($($body)*),
         },] $($rest)*)
     };
     ([$($done:expr,)*] stop if ($($condition:tt)*) because $why:ident; $($rest:tt)*) => {
-        $crate::steps_of!([$($done,)* $crate::steps::Step::Stop {
+        $crate::steps_of!([$($done,)* $crate::low_level::steps::Step::Stop {
             when: $crate::condition_of!($($condition)*),
-            why: $crate::steps::Reason::$why,
+            why: $crate::low_level::steps::Reason::$why,
         },] $($rest)*)
     };
     ([$($done:expr,)*] run $listing:path; $($rest:tt)*) => {
-        $crate::steps_of!([$($done,)* $crate::steps::Step::Run { listing: &$listing, amendments: &[] },] $($rest)*)
+        $crate::steps_of!([$($done,)* $crate::low_level::steps::Step::Run { listing: &$listing, amendments: &[] },] $($rest)*)
     };
     ([$($done:expr,)*] run $listing:ident amended by $amendments:expr; $($rest:tt)*) => {
-        $crate::steps_of!([$($done,)* $crate::steps::Step::Run {
+        $crate::steps_of!([$($done,)* $crate::low_level::steps::Step::Run {
             listing: &$listing,
             amendments: $amendments,
         },] $($rest)*)
@@ -139,7 +139,7 @@ macro_rules! steps_of {
         $crate::steps_of!(@let $variable [] [$($done,)*] $($rest)*)
     };
     (@let $variable:ident [$($value:tt)*] [$($done:expr,)*] ; $($rest:tt)*) => {
-        $crate::steps_of!([$($done,)* $crate::steps::Step::Let {
+        $crate::steps_of!([$($done,)* $crate::low_level::steps::Step::Let {
             variable: stringify!($variable),
             value: $crate::expr_of!($($value)*),
         },] $($rest)*)
@@ -150,24 +150,24 @@ macro_rules! steps_of {
 
     // OpenGL's calls.
     ([$($done:expr,)*] $call:ident($($argument:expr),*); $($rest:tt)*) => {
-        $crate::steps_of!([$($done,)* $crate::steps::Step::Call($crate::steps::gl::$call($($argument),*)),] $($rest)*)
+        $crate::steps_of!([$($done,)* $crate::low_level::steps::Step::Call($crate::low_level::steps::gl::$call($($argument),*)),] $($rest)*)
     };
 }
 
 #[doc(hidden)]
 #[macro_export]
 macro_rules! expr_of {
-    ($number:literal) => { $crate::steps::Expr::Number($number as f64) };
-    ($variable:ident) => { $crate::steps::Expr::Variable(stringify!($variable)) };
+    ($number:literal) => { $crate::low_level::steps::Expr::Number($number as f64) };
+    ($variable:ident) => { $crate::low_level::steps::Expr::Variable(stringify!($variable)) };
     (($($inner:tt)+)) => { $crate::expr_of!($($inner)+) };
-    (samples($query:ident)) => { $crate::steps::Expr::Samples($query) };
+    (samples($query:ident)) => { $crate::low_level::steps::Expr::Samples($query) };
     ($a:tt + samples($query:ident)) => {
-        $crate::steps::Expr::Sum(&$crate::expr_of!($a), &$crate::steps::Expr::Samples($query))
+        $crate::low_level::steps::Expr::Sum(&$crate::expr_of!($a), &$crate::low_level::steps::Expr::Samples($query))
     };
-    ($a:tt + $b:tt) => { $crate::steps::Expr::Sum(&$crate::expr_of!($a), &$crate::expr_of!($b)) };
-    ($a:tt - $b:tt) => { $crate::steps::Expr::Difference(&$crate::expr_of!($a), &$crate::expr_of!($b)) };
-    ($a:tt * $b:tt) => { $crate::steps::Expr::Product(&$crate::expr_of!($a), &$crate::expr_of!($b)) };
-    ($a:tt % $b:tt) => { $crate::steps::Expr::Remainder(&$crate::expr_of!($a), &$crate::expr_of!($b)) };
+    ($a:tt + $b:tt) => { $crate::low_level::steps::Expr::Sum(&$crate::expr_of!($a), &$crate::expr_of!($b)) };
+    ($a:tt - $b:tt) => { $crate::low_level::steps::Expr::Difference(&$crate::expr_of!($a), &$crate::expr_of!($b)) };
+    ($a:tt * $b:tt) => { $crate::low_level::steps::Expr::Product(&$crate::expr_of!($a), &$crate::expr_of!($b)) };
+    ($a:tt % $b:tt) => { $crate::low_level::steps::Expr::Remainder(&$crate::expr_of!($a), &$crate::expr_of!($b)) };
 }
 
 #[doc(hidden)]
@@ -177,9 +177,9 @@ macro_rules! condition_of {
     ($a:tt < $b:tt) => { $crate::condition_of!($a Less $b) };
     ($a:tt > $b:tt) => { $crate::condition_of!($a Greater $b) };
     ($a:tt $compare:ident $b:tt) => {
-        $crate::steps::Condition {
+        $crate::low_level::steps::Condition {
             left: $crate::expr_of!($a),
-            compare: $crate::steps::Compare::$compare,
+            compare: $crate::low_level::steps::Compare::$compare,
             right: $crate::expr_of!($b),
         }
     };

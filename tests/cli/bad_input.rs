@@ -74,7 +74,7 @@ fn remedied(answer: Answer) -> Answer {
 /// A PNG of 1 x 1.
 fn picture() -> Vec<u8> {
     let desk = Desk::new();
-    let white = onionskin::fragment::Rgba::opaque([1.0; 3]);
+    let white = onionskin::Rgba::opaque([1.0; 3]);
     let image = onionskin::Image::filled(1, 1, white);
     image.save(desk.path("i.png")).expect("a picture");
     std::fs::read(desk.path("i.png")).expect("a picture")
@@ -240,7 +240,7 @@ fn an_unknown_method() {
     ] {
         let answer = refused_arguments(command);
         answer.says(&["there is no method 'peeling'"]);
-        for entry in onionskin::methods::registry() {
+        for entry in onionskin::registry() {
             answer.says(&[entry.name]);
         }
     }

@@ -1,7 +1,7 @@
 //! The help, the listings and the table of methods: everything that the program says without OpenGL.
 
-use onionskin::methods::{Volumes, registry};
-use onionskin::papers::papers;
+use onionskin::low_level::methods::Volumes;
+use onionskin::{papers, registry};
 
 use crate::kit::cli::{Answer, Desk};
 use crate::kit::diff::diff;

@@ -3,12 +3,9 @@
 
 use crate::kit::bounds::F32;
 use crate::kit::stack;
-use onionskin::gl::Format;
-use onionskin::image::Comparison;
-use onionskin::methods::{
-    ABufferOptions, ArraySort, CountBy, Fill, Frame, Manager, RecordColor, Technique,
-};
-use onionskin::{Context, Method, Renderer, Scene};
+use onionskin::low_level::methods::Technique;
+use onionskin::options::{ABufferOptions, ArraySort, Fill, Manager, RecordColor};
+use onionskin::{Comparison, Context, CountBy, Format, Frame, Method, Renderer, Scene};
 use proptest::test_runner::{TestCaseError, TestError};
 
 use crate::kit::a_buffer::*;

@@ -1,8 +1,7 @@
 //! A-buffers in horizontal bands: the same image, and what fits.
 
-use onionskin::image::Comparison;
-use onionskin::methods::{ABufferOptions, Manager};
-use onionskin::{Context, Method, Renderer};
+use onionskin::options::{ABufferOptions, Manager};
+use onionskin::{Comparison, Context, Method, Renderer};
 
 use crate::kit::a_buffer::*;
 

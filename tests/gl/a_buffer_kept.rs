@@ -5,16 +5,13 @@ use crate::kit::bounds::F32;
 use crate::kit::stack;
 use std::cell::RefCell;
 
-use onionskin::emulator::run_on_lists;
-use onionskin::fragment::Fragment;
-use onionskin::image::{Comparison, Image};
-use onionskin::methods::{
-    ABufferOptions, ArraySort, Fill, Keep, Manager, RecordColor, Technique, registry,
-};
-use onionskin::papers::lindholm_2015::components::{
+use onionskin::low_level::emulator::run_on_lists;
+use onionskin::low_level::methods::Technique;
+use onionskin::low_level::papers::lindholm_2015::components::{
     KEEP_NEAREST, PP_AO, PP_AO_KEEPING_NEAREST, PP_AO_WITHOUT_PP_DP, STATIC_ARRAY,
 };
-use onionskin::{Context, Method, Renderer};
+use onionskin::options::{ABufferOptions, ArraySort, Fill, Keep, Manager, RecordColor};
+use onionskin::{Comparison, Context, Fragment, Image, Method, Renderer, registry};
 use proptest::test_runner::{TestCaseError, TestError};
 
 use crate::kit::a_buffer::{F16, MANAGERS, small};

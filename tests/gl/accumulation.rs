@@ -1,10 +1,8 @@
 //! How exact compositing is, and how many layers are enough (E12, E13).
 
-use onionskin::gl::Format;
-use onionskin::image::Comparison;
-use onionskin::methods::{DepthPeelingOptions, Frame};
-use onionskin::scene::generate::{Order, Quads, quads};
-use onionskin::{Context, Method, Renderer, Scene};
+use onionskin::generate::{Order, Quads, quads};
+use onionskin::options::DepthPeelingOptions;
+use onionskin::{Comparison, Context, Format, Frame, Method, Renderer, Scene};
 
 const D32F: Format = Format::Depth32FStencil8;
 

@@ -1,9 +1,8 @@
 //! Figure 2 of Lindholm et al. 2015 (claim L20): depth complexity and what a frame costs along a camera path on which what
 //! is shown changes. Costs are counts here, which every run repeats; the example of figure 2 shows times beside them.
 
-use onionskin::methods::{ABufferOptions, Complexity, CountBy};
-use onionskin::scene::Animation;
-use onionskin::{Context, Method, Renderer};
+use onionskin::options::ABufferOptions;
+use onionskin::{Animation, Complexity, Context, CountBy, Method, Renderer};
 
 const SIZE: [u32; 2] = [128, 96];
 /// The Local Array of ppDP.

@@ -5,11 +5,10 @@ use crate::kit::bounds::F32;
 use crate::kit::carr_scenes::{HYBRID, LAYERS, error, ideal};
 use crate::kit::render::{example, render};
 use crate::kit::stack;
-use onionskin::image::Comparison;
-use onionskin::methods::{CoherentOptions, TriangleSort, Variant};
-use onionskin::scene::generate::{Order, Slices, Soup, slices, soup};
-use onionskin::steps::Reason;
-use onionskin::{Context, Method, Scene};
+use onionskin::generate::{Order, Slices, Soup, slices, soup};
+use onionskin::low_level::steps::Reason;
+use onionskin::options::{CoherentOptions, TriangleSort, Variant};
+use onionskin::{Comparison, Context, Method, Scene};
 use proptest::test_runner::{TestCaseError, TestError};
 
 fn coherent(variant: Variant, sorting: TriangleSort) -> Method {

@@ -5,12 +5,11 @@ use crate::kit::bounds::F32;
 use crate::kit::carr_scenes::{LAYERS, error, ideal};
 use crate::kit::render::{example, render};
 use crate::kit::stack;
-use onionskin::methods::{BufferAccess, CoherentOptions, IdealOptions, TriangleSort, Variant};
-use onionskin::papers::carr_2008::{AT_BOUND, AT_BOUND_AS_PRINTED};
-use onionskin::scene::generate::{TorusKnot, torus_knot};
-use onionskin::steps;
-use onionskin::steps::{Amendment, Reason};
-use onionskin::{Context, Method, Scene};
+use onionskin::generate::{TorusKnot, torus_knot};
+use onionskin::low_level::papers::carr_2008::{AT_BOUND, AT_BOUND_AS_PRINTED};
+use onionskin::low_level::steps::{Amendment, Reason};
+use onionskin::options::{BufferAccess, CoherentOptions, IdealOptions, TriangleSort, Variant};
+use onionskin::{Context, Method, Scene, steps};
 
 #[test]
 fn c19_the_ideal_gpu_takes_two_geometry_passes_an_iteration() {

@@ -10,10 +10,9 @@ use crate::kit::everitt_scenes::{
 };
 use crate::kit::lists::Lists;
 use crate::kit::stack;
-use onionskin::image::Comparison;
-use onionskin::methods::{DepthPeelingOptions, Layer};
-use onionskin::scene::generate::{Order, Quads, quads};
-use onionskin::{Context, Method, Scene};
+use onionskin::generate::{Order, Quads, quads};
+use onionskin::options::DepthPeelingOptions;
+use onionskin::{Comparison, Context, Layer, Method, Scene};
 
 #[test]
 fn e01_blending_in_the_order_of_submission_is_wrong_and_peeling_is_right() {

@@ -7,12 +7,10 @@ use crate::kit::everitt_scenes::{
 use crate::kit::lists::Lists;
 use crate::kit::stack;
 use crate::kit::stack::{Piece, Stack};
-use onionskin::fragment::Rgba;
-use onionskin::image::{Comparison, Image};
-use onionskin::methods::{Compositing, DepthPeelingOptions, Layer};
-use onionskin::papers::everitt_2001;
-use onionskin::steps::Reason;
-use onionskin::{Context, Method};
+use onionskin::low_level::papers::everitt_2001;
+use onionskin::low_level::steps::Reason;
+use onionskin::options::{Compositing, DepthPeelingOptions};
+use onionskin::{Comparison, Context, Image, Layer, Method, Rgba};
 
 #[test]
 fn e12_the_layers_composited_back_to_front_are_the_image() {

@@ -4,13 +4,12 @@ use crate::kit::everitt_scenes::{disagreements, example, keeping, peel, piece, s
 use crate::kit::lists;
 use crate::kit::lists::Lists;
 use crate::kit::stack::Stack;
-use onionskin::gl::{CapturedFragment, Format, Geometry};
-use onionskin::image::Image;
-use onionskin::papers::{stage, vtk};
-use onionskin::steps::{
+use onionskin::low_level::gl::{CapturedFragment, Geometry};
+use onionskin::low_level::papers::{stage, vtk};
+use onionskin::low_level::steps::{
     Call, Capability, Compare, DepthUnits, Machine, Map, Objects, Query, gl::*,
 };
-use onionskin::{Context, Scene};
+use onionskin::{Context, Format, Image, Scene};
 
 #[test]
 fn e04_a_shadow_lookup_passes_exactly_what_the_depth_comparison_passes() {

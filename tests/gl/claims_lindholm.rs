@@ -1,9 +1,9 @@
 //! The claims of Lindholm et al. 2015 about depth complexity, the Fill Step and global memory, L01 to L08, each under its
 //! key. `gl/claims_lindholm_resolve.rs` has the others that need no volume, `gl/a_buffer.rs` L21.
 
-use onionskin::methods::{ABufferOptions, CountBy, Fill, Manager};
-use onionskin::scene::generate::{Order, TorusKnot, torus_knot};
-use onionskin::{Context, Renderer, Scene};
+use onionskin::generate::{Order, TorusKnot, torus_knot};
+use onionskin::options::{ABufferOptions, Fill, Manager};
+use onionskin::{Context, CountBy, Renderer, Scene};
 
 use crate::kit::a_buffer::*;
 use crate::kit::stack::row;
@@ -119,7 +119,7 @@ fn l05_base_offsets_keep_every_pixel_s_list_to_itself() {
         let scan = counts.list_bytes - frame.stats.fragments * 32;
         let expected = match frame.stats.fragments {
             0 => 0,
-            _ => onionskin::gl::GlMachine::scan_bytes(u64::from(size[0] * size[1])),
+            _ => onionskin::low_level::gl::GlMachine::scan_bytes(u64::from(size[0] * size[1])),
         };
         assert_eq!(scan, expected, "{size:?}");
     }

@@ -2,10 +2,9 @@
 //! when ppAO and ppDP are run as printed.
 
 use crate::kit::bounds::F32;
-use onionskin::image::Comparison;
-use onionskin::methods::{ABufferOptions, CountBy};
-use onionskin::scene::generate::Order;
-use onionskin::{Context, Method, Renderer};
+use onionskin::generate::Order;
+use onionskin::options::ABufferOptions;
+use onionskin::{Comparison, Context, CountBy, Method, Renderer};
 
 use crate::kit::a_buffer::*;
 use crate::kit::pp_dp::{Rule, peel};

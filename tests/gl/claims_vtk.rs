@@ -6,9 +6,9 @@ use crate::kit::stack::Stack;
 use crate::kit::vtk_scenes::{
     BOTH, limited, nearest, over, peel, piece, render, soup_scene, staircase,
 };
-use onionskin::methods::{Compositing, DepthPeelingOptions};
-use onionskin::papers::vtk;
-use onionskin::steps::{Amendment, Map, Reason};
+use onionskin::low_level::papers::vtk;
+use onionskin::low_level::steps::{Amendment, Map, Reason};
+use onionskin::options::{Compositing, DepthPeelingOptions};
 use onionskin::{Context, Method, Renderer, steps};
 
 #[test]

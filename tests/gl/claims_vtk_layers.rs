@@ -4,11 +4,11 @@
 use crate::kit::changed::changed;
 use crate::kit::stack::Stack;
 use crate::kit::vtk_scenes::{BOTH, limited, nearest, over, peel, render, soup_scene, staircase};
-use onionskin::image::Comparison;
-use onionskin::methods::{Compositing, DepthPeelingOptions, Peeling};
-use onionskin::papers::vtk;
-use onionskin::steps::{Amendment, Reason, gl::*};
-use onionskin::{Context, Method, Renderer, Scene, steps};
+use onionskin::low_level::methods::Peeling;
+use onionskin::low_level::papers::vtk;
+use onionskin::low_level::steps::{Amendment, Reason, gl::*};
+use onionskin::options::{Compositing, DepthPeelingOptions};
+use onionskin::{Comparison, Context, Method, Renderer, Scene, steps};
 
 #[test]
 fn v03_opaque_geometry_culls_what_lies_behind_it_and_lowers_the_number_of_layers() {

@@ -1,12 +1,11 @@
 //! What VTK's page asks of OpenGL (V07, V09), and where its documents and its behaviour differ.
 
-use onionskin::gl::Format;
-use onionskin::methods::{
+use onionskin::generate::{Soup, soup};
+use onionskin::low_level::papers::vtk::{REQUIRED_EXTENSIONS, missing_extensions};
+use onionskin::options::{
     CoplanarDepthPeelingOptions, DepthPeelingOptions, DualDepthPeelingOptions,
 };
-use onionskin::papers::vtk::{REQUIRED_EXTENSIONS, missing_extensions};
-use onionskin::scene::generate::{Soup, soup};
-use onionskin::{Context, Method, Renderer, Scene};
+use onionskin::{Context, Format, Method, Renderer, Scene};
 
 #[test]
 fn v07_fewer_than_8_alpha_bits_are_refused_with_what_to_choose() {

@@ -8,12 +8,12 @@ use crate::kit::stack;
 use std::collections::BTreeMap;
 
 use crate::kit::classic_cases::{COMPARISONS, Case, Looked, SIZE, Unit, cases, count, scene};
-use onionskin::Result;
-use onionskin::gl::{Context, ContextOptions, FixedFunction, Format, Geometry, GlMachine, Profile};
-use onionskin::steps::{
+use onionskin::low_level::gl::{FixedFunction, Geometry, GlMachine, Profile};
+use onionskin::low_level::steps::{
     Call, Capability, ClassicCall, ClassicCapability, DepthTextureMode, Machine, Map, MatrixMode,
     Objects, Shader, Target, TexEnvName, TexEnvValue, TextureTarget, gl::*,
 };
+use onionskin::{Context, ContextOptions, Format, Result};
 use proptest::test_runner::{TestCaseError, TestError};
 
 const IMAGE: Map = Map::named("image");

@@ -5,17 +5,14 @@ use crate::kit::bounds::F32;
 use crate::kit::diff::diff;
 use crate::kit::render::render;
 use glam::{DMat4, DVec3, DVec4};
-use onionskin::fragment::Rgba;
-use onionskin::gl::{CapturedFragment, ClassicState, Format, Geometry, GlMachine};
-use onionskin::image::Comparison;
-use onionskin::methods::{Compositing, DepthPeelingOptions, DepthUnit0, Frame};
-use onionskin::papers::everitt_2001::{LISTING_2, SHADOW_AS_DEPTH_TEST};
-use onionskin::scene::Camera;
-use onionskin::scene::generate::{Soup, soup};
-use onionskin::steps::{
+use onionskin::generate::{Soup, soup};
+use onionskin::low_level::gl::{CapturedFragment, ClassicState, Geometry, GlMachine};
+use onionskin::low_level::papers::everitt_2001::{LISTING_2, SHADOW_AS_DEPTH_TEST};
+use onionskin::low_level::steps::{
     Call, Capability, Machine, Map, Objects, Query, Shader, Target, Variables, gl::*, print, run,
 };
-use onionskin::{Context, Error, Method, Result, Scene};
+use onionskin::options::{Compositing, DepthPeelingOptions, DepthUnit0};
+use onionskin::{Camera, Comparison, Context, Error, Format, Frame, Method, Result, Rgba, Scene};
 
 use crate::kit::lists::Lists;
 
@@ -58,10 +55,10 @@ fn e08_with_one_word_changed_it_is_something_else() {
     let (view, projection) = (camera.view(), camera.projection(4, 3));
     let eye = view * points(3, 1)[0].extend(1.0);
     let clip = projection * eye;
-    let dropped = |listing: &[onionskin::steps::Step], without: usize| {
+    let dropped = |listing: &[onionskin::low_level::steps::Step], without: usize| {
         let mut state = ClassicState::new(view, projection);
         for (number, step) in listing.iter().enumerate() {
-            if let (true, onionskin::steps::Step::Call(Call::Classic(call))) =
+            if let (true, onionskin::low_level::steps::Step::Call(Call::Classic(call))) =
                 (number != without, step)
             {
                 state.perform(call).unwrap();

@@ -3,15 +3,13 @@
 use crate::kit::bounds::F32;
 use crate::kit::render::render;
 use crate::kit::stack;
-use onionskin::gl::Format;
-use onionskin::image::Comparison;
-use onionskin::methods::coplanar::shown;
-use onionskin::methods::{
-    CoplanarDepthPeelingOptions, DepthPeelingOptions, DualDepthPeelingOptions, Frame, registry,
+use onionskin::generate::{Plane, plane};
+use onionskin::low_level::methods::coplanar::shown;
+use onionskin::low_level::steps::{Amendment, Reason, gl::*};
+use onionskin::options::{
+    CoplanarDepthPeelingOptions, DepthPeelingOptions, DualDepthPeelingOptions,
 };
-use onionskin::scene::generate::{Plane, plane};
-use onionskin::steps::{Amendment, Reason, gl::*};
-use onionskin::{Context, Method, Renderer, Scene, steps};
+use onionskin::{Comparison, Context, Format, Frame, Method, Renderer, Scene, registry, steps};
 use proptest::test_runner::TestCaseError;
 
 use crate::kit::stack::{Piece, Stack, runner, stacks};

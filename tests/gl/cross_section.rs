@@ -1,6 +1,6 @@
 //! Everitt's figure 4 (E11): a cross section of the view volume, peeled.
 
-use onionskin::methods::{Compositing, DepthPeelingOptions};
+use onionskin::options::{Compositing, DepthPeelingOptions};
 use onionskin::{Context, Method, Renderer, Scene};
 
 use crate::kit::lists::Lists;

@@ -3,12 +3,11 @@
 use crate::kit::bounds::F32;
 use crate::kit::render::render;
 use crate::kit::stack;
-use onionskin::gl::Format;
-use onionskin::image::Comparison;
-use onionskin::methods::{DepthPeelingOptions, DualDepthPeelingOptions, Frame, Peeling};
-use onionskin::scene::generate::{Soup, soup};
-use onionskin::steps::{Amendment, Reason, gl::*};
-use onionskin::{Context, Method, Renderer, Scene, steps};
+use onionskin::generate::{Soup, soup};
+use onionskin::low_level::methods::Peeling;
+use onionskin::low_level::steps::{Amendment, Reason, gl::*};
+use onionskin::options::{DepthPeelingOptions, DualDepthPeelingOptions};
+use onionskin::{Comparison, Context, Format, Frame, Method, Renderer, Scene, steps};
 use proptest::test_runner::TestCaseError;
 
 use crate::kit::changed::changed;
@@ -287,15 +286,15 @@ const CHANGES: &[(&str, &[Amendment])] = &[
         &[changed(
             steps! {
                 glBlendFunci(0, ONE, ONE_MINUS_SRC_ALPHA);
-                glUseProgram(onionskin::papers::stage::LAYER);
+                glUseProgram(onionskin::low_level::papers::stage::LAYER);
                 glActiveTexture(2);
-                glBindTexture(onionskin::papers::bavoil_2008::FARTHEST);
+                glBindTexture(onionskin::low_level::papers::bavoil_2008::FARTHEST);
             },
             steps! {
                 glBlendFunci(0, ONE_MINUS_DST_ALPHA, ONE);
-                glUseProgram(onionskin::papers::stage::LAYER);
+                glUseProgram(onionskin::low_level::papers::stage::LAYER);
                 glActiveTexture(2);
-                glBindTexture(onionskin::papers::bavoil_2008::FARTHEST);
+                glBindTexture(onionskin::low_level::papers::bavoil_2008::FARTHEST);
             },
         )],
     ),

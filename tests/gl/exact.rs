@@ -4,11 +4,9 @@ use crate::kit::bounds::F32;
 use crate::kit::cast::{Cast, cast};
 use crate::kit::exact_scenes::{depth_bound, looking_down_z, soup_scene};
 use crate::kit::lists::{Lists, captured, sorted};
-use onionskin::fragment::Rgba;
-use onionskin::gl::CapturedFragment;
-use onionskin::scene::generate::{Quads, Soup, Teapot, quads, soup, teapot};
-use onionskin::scene::{Camera, Shading};
-use onionskin::{Context, Scene};
+use onionskin::generate::{Quads, Soup, Teapot, quads, soup, teapot};
+use onionskin::low_level::gl::CapturedFragment;
+use onionskin::{Camera, Context, Rgba, Scene, Shading};
 
 #[test]
 fn random_triangles_are_where_the_rays_meet_them() {

@@ -4,10 +4,7 @@ use std::cell::RefCell;
 
 use crate::kit::cast::{Hit, cast};
 use glam::{DMat3, DQuat, DVec3, Vec3};
-use onionskin::fragment::Rgba;
-use onionskin::methods::{Frame, registry};
-use onionskin::scene::{Camera, Mesh, Vertex};
-use onionskin::{Context, Method, Renderer, Scene};
+use onionskin::{Camera, Context, Frame, Mesh, Method, Renderer, Rgba, Scene, Vertex, registry};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 

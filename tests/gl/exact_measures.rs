@@ -5,12 +5,9 @@ use crate::kit::cast;
 use crate::kit::exact_scenes::{depth_bound, error, looking_down_z, render, soup_scene};
 use crate::kit::lists::{Lists, captured, sorted, ties};
 use glam::{DVec3, Vec3};
-use onionskin::fragment::Rgba;
-use onionskin::gl::Format;
-use onionskin::methods::{Compositing, DepthPeelingOptions};
-use onionskin::scene::generate::{Order, Quads, quads};
-use onionskin::scene::{Mesh, Vertex};
-use onionskin::{Context, Method, Renderer, Scene};
+use onionskin::generate::{Order, Quads, quads};
+use onionskin::options::{Compositing, DepthPeelingOptions};
+use onionskin::{Context, Format, Mesh, Method, Renderer, Rgba, Scene, Vertex};
 
 #[test]
 fn what_peeling_loses_is_the_ties_of_a_soup_with_copies() {

@@ -3,14 +3,16 @@
 use crate::kit::lockstep;
 use crate::kit::peels;
 use crate::kit::stack;
-use onionskin::Context;
-use onionskin::emulator::{Emulator, Outcome::*};
-use onionskin::gl::{Geometry, GlMachine};
-use onionskin::papers::carr_2008::coherent::{self, LOOP_A};
-use onionskin::papers::carr_2008::{BOUND, D_SC, D_SN, DEPTH_BUFFER, Z_MIN_POST, Z_MIN_PREV};
-use onionskin::papers::stage;
-use onionskin::steps;
-use onionskin::steps::{Call, Dialect, Format, Listing, Machine, Variables, gl::*, run};
+use onionskin::low_level::emulator::Emulator;
+use onionskin::low_level::emulator::Outcome::*;
+use onionskin::low_level::gl::{Geometry, GlMachine};
+use onionskin::low_level::papers::carr_2008::coherent::{self, LOOP_A};
+use onionskin::low_level::papers::carr_2008::{
+    BOUND, D_SC, D_SN, DEPTH_BUFFER, Z_MIN_POST, Z_MIN_PREV,
+};
+use onionskin::low_level::papers::stage;
+use onionskin::low_level::steps::{Call, Dialect, Listing, Machine, Variables, gl::*, run};
+use onionskin::{Context, Format, steps};
 
 const D_SC_AT_S4: Listing = Listing {
     title: "Everything up to s4 has been peeled",

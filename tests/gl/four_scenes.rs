@@ -1,8 +1,7 @@
 //! The four scenes after those of Lindholm et al. 2015 (figures 1, 8, 9, 10 and table 1): what is in them, and claim L03.
 
-use onionskin::methods::{Complexity, CountBy};
-use onionskin::scene::generate::{Quads, quads};
-use onionskin::{Context, Renderer, Scene};
+use onionskin::generate::{Quads, quads};
+use onionskin::{Complexity, Context, CountBy, Renderer, Scene};
 
 /// A file, its volumes and meshes, and what its triangles are thousands of, at the least.
 const SCENES: [(&str, usize, usize, usize); 4] = [

@@ -4,10 +4,10 @@ use crate::kit::bounds::distance;
 use crate::kit::stack;
 use std::cell::Cell;
 
-use onionskin::image::Comparison;
-use onionskin::methods::{ABufferOptions, ArraySort, CountBy, Fill, Frame, Manager, RecordColor};
-use onionskin::scene::{Transfer, TransferPoint};
-use onionskin::{Context, Method, Renderer, Scene};
+use onionskin::options::{ABufferOptions, ArraySort, Fill, Manager, RecordColor};
+use onionskin::{
+    Comparison, Context, CountBy, Frame, Method, Renderer, Scene, Transfer, TransferPoint,
+};
 use proptest::test_runner::{TestCaseError, TestError};
 
 use crate::kit::fog_plans::{Plan, plans};

@@ -2,13 +2,11 @@
 //! boxes, too. A face that is lost is a toggle that is lost, so that a ray sees a volume where there is none.
 
 use crate::kit::bounds::distance;
-use onionskin::image::Image;
-use onionskin::methods::{ABufferOptions, ArraySort, Frame, Manager, RecordColor};
-use onionskin::oracle::volumes::Ray;
-use onionskin::papers::lindholm_2015::components::{PP_DP, STOP};
-use onionskin::papers::lindholm_2015::fused::{EVALUATE_BUFFER, FUSED_PP_DP};
-use onionskin::scene::{Transfer, TransferPoint};
-use onionskin::{Context, Method, Scene};
+use onionskin::low_level::oracle::volumes::Ray;
+use onionskin::low_level::papers::lindholm_2015::components::{PP_DP, STOP};
+use onionskin::low_level::papers::lindholm_2015::fused::{EVALUATE_BUFFER, FUSED_PP_DP};
+use onionskin::options::{ABufferOptions, ArraySort, Manager, RecordColor};
+use onionskin::{Context, Frame, Image, Method, Scene, Transfer, TransferPoint};
 
 use crate::kit::emulated::{Pixels, counts, render};
 use crate::kit::fog_scenes::fog_and_pane;

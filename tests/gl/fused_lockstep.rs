@@ -5,11 +5,10 @@ use crate::kit::bounds::distance;
 use crate::kit::stack;
 use std::cell::Cell;
 
-use onionskin::methods::Manager;
-use onionskin::papers::lindholm_2015::components::PP_DP;
-use onionskin::papers::lindholm_2015::fused::{FUSED, FUSED_AMENDMENTS, FUSED_PP_DP};
-use onionskin::scene::{Transfer, TransferPoint};
-use onionskin::{Context, Scene};
+use onionskin::low_level::papers::lindholm_2015::components::PP_DP;
+use onionskin::low_level::papers::lindholm_2015::fused::{FUSED, FUSED_AMENDMENTS, FUSED_PP_DP};
+use onionskin::options::Manager;
+use onionskin::{Context, Scene, Transfer, TransferPoint};
 use proptest::prelude::*;
 use proptest::test_runner::TestError;
 
@@ -32,7 +31,7 @@ fn whole_scenes() -> Vec<Scene> {
         }
         let mut second = scene.volumes[0].clone();
         second = second
-            .transformed(&onionskin::scene::Transform {
+            .transformed(&onionskin::Transform {
                 scale: glam::DVec3::splat(1.4),
                 ..Default::default()
             })

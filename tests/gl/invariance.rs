@@ -3,15 +3,14 @@
 use crate::kit::bounds::F32;
 use std::collections::HashSet;
 
-use onionskin::gl::Format;
-use onionskin::image::{Comparison, Image};
-use onionskin::methods::invariance::{Finding, Verdict, perspective_soup, run_experiment};
-use onionskin::methods::{
-    CoplanarDepthPeelingOptions, DepthPeelingOptions, DepthSource, DepthUnit0, Experiment, Frame,
-    Place,
+use onionskin::low_level::methods::invariance::{
+    Finding, Verdict, perspective_soup, run_experiment,
 };
-use onionskin::steps::Reason;
-use onionskin::{Context, Method, Renderer, Scene};
+use onionskin::low_level::steps::Reason;
+use onionskin::options::{
+    CoplanarDepthPeelingOptions, DepthPeelingOptions, DepthSource, DepthUnit0, Experiment, Place,
+};
+use onionskin::{Comparison, Context, Format, Frame, Image, Method, Renderer, Scene};
 
 use crate::kit::lists::Lists;
 
@@ -76,7 +75,7 @@ fn e07_with_depth_replace_every_pixel_left_over_is_a_tie_or_beyond_the_far_plane
             let distance = far / (1.0 + before_1 * ratio);
             let place = glam::DVec3::new(x, y, -1.0) * distance;
             let corner = mesh.vertices[0];
-            mesh.vertices.push(onionskin::scene::Vertex {
+            mesh.vertices.push(onionskin::Vertex {
                 position: place,
                 ..corner
             });
@@ -174,7 +173,7 @@ fn e07_on_24_bits_the_sampler_compares_what_was_not_rounded_and_the_loop_gets_st
         assert_eq!(finding.doubled, 0);
         // Neighbours within two steps of 24 bits may be one; the texel that is read back may be a step off.
         for (pixel, verdict) in finding.pixels.iter().enumerate() {
-            let near = |pair: &[onionskin::gl::CapturedFragment]| {
+            let near = |pair: &[onionskin::low_level::gl::CapturedFragment]| {
                 pair[1].depth - pair[0].depth <= 2.0 * 2.0_f32.powi(-24)
             };
             let fine = matches!(verdict, Verdict::Empty | Verdict::Right);
@@ -196,7 +195,7 @@ fn e07_on_24_bits_a_pixel_is_stuck_just_where_a_stored_depth_was_rounded_down() 
     let study = Study::new(10.0);
     let finding = study.run_experiment(WINDOW_Z, D24);
     const STEPS: f32 = ((1 << 24) - 1) as f32;
-    let rounded_down = |fragment: &onionskin::gl::CapturedFragment| {
+    let rounded_down = |fragment: &onionskin::low_level::gl::CapturedFragment| {
         let texel = (fragment.depth * STEPS).round_ties_even() * (1.0 / STEPS);
         fragment.depth > texel
     };
@@ -257,7 +256,7 @@ fn e09_8_and_16_bits_are_not_enough_and_24_are() {
         let finding = study.run_experiment(experiment, D32F);
         report(&format!("{bits} bits"), &finding);
         let steps = ((1_u32 << bits) - 1) as f32;
-        let kept = |list: &Vec<onionskin::gl::CapturedFragment>| {
+        let kept = |list: &Vec<onionskin::low_level::gl::CapturedFragment>| {
             let on = |depth: f32| (depth * steps).round() as u32;
             let steps: HashSet<_> = list.iter().map(|fragment| on(fragment.depth)).collect();
             steps.len() as u64
@@ -383,7 +382,7 @@ fn render(context: &Context, scene: &Scene, method: &Method, depth: Format) -> F
 #[test]
 fn e06_the_listing_names_what_each_trial_changes() {
     // Each amendment of the experiment is found in the listings that run.
-    use onionskin::papers::{everitt_2001, vtk};
+    use onionskin::low_level::papers::{everitt_2001, vtk};
     for amendments in [everitt_2001::WINDOW_Z, everitt_2001::REPLACED] {
         let [program, pass_0, texels] = amendments else {
             panic!("three amendments")

@@ -5,15 +5,13 @@ use crate::kit::bounds::F32;
 use crate::kit::stack;
 use std::cell::{Cell, RefCell};
 
-use onionskin::emulator::{ListRun, run_on_lists};
-use onionskin::fragment::Fragment;
-use onionskin::image::{Comparison, Image};
-use onionskin::methods::{ABufferOptions, Keep, Manager, RecordColor};
-use onionskin::papers::lindholm_2015::components::*;
-use onionskin::steps::Amendment;
-use onionskin::steps::pseudo::Algorithm;
-use onionskin::steps::pseudo::list::{Counter, Line, Mark};
-use onionskin::{Context, Method, Renderer};
+use onionskin::low_level::emulator::{ListRun, run_on_lists};
+use onionskin::low_level::papers::lindholm_2015::components::*;
+use onionskin::low_level::steps::Amendment;
+use onionskin::low_level::steps::pseudo::Algorithm;
+use onionskin::low_level::steps::pseudo::list::{Counter, Line, Mark};
+use onionskin::options::{ABufferOptions, Keep, Manager, RecordColor};
+use onionskin::{Comparison, Context, Fragment, Image, Method, Renderer};
 use proptest::test_runner::{TestCaseError, TestError};
 
 use crate::kit::a_buffer::MANAGERS;
@@ -179,7 +177,7 @@ fn difference(renderer: &mut Renderer<'_>, twins: &Twins, stack: &Stack) -> Resu
             .zip(&lists)
             .filter(|(_, list)| !list.is_empty())
     };
-    let sum = |part: fn(&onionskin::emulator::Resolved) -> u32| {
+    let sum = |part: fn(&onionskin::low_level::emulator::Resolved) -> u32| {
         drawn()
             .map(|(pixel, _)| u64::from(part(pixel)))
             .sum::<u64>()

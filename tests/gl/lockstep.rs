@@ -5,15 +5,13 @@
 
 use crate::kit::peels;
 use crate::kit::stack;
-use onionskin::emulator::{Emulator, Group, Surface};
-use onionskin::gl::{Geometry, GlMachine};
-use onionskin::papers::carr_2008::hybrid::{Z_PEEL, Z_PEEL_NEXT};
-use onionskin::papers::carr_2008::{D_SC, D_SN, DEPTH_BUFFER, Z_MIN_POST, Z_MIN_PREV};
-use onionskin::papers::stage::ACCUMULATED;
-use onionskin::scene::Mesh;
-use onionskin::steps;
-use onionskin::steps::{Amendment, Call, Format, Machine, Query, gl::*};
-use onionskin::{Context, Scene};
+use onionskin::low_level::emulator::{Emulator, Group, Surface};
+use onionskin::low_level::gl::{Geometry, GlMachine};
+use onionskin::low_level::papers::carr_2008::hybrid::{Z_PEEL, Z_PEEL_NEXT};
+use onionskin::low_level::papers::carr_2008::{D_SC, D_SN, DEPTH_BUFFER, Z_MIN_POST, Z_MIN_PREV};
+use onionskin::low_level::papers::stage::ACCUMULATED;
+use onionskin::low_level::steps::{Amendment, Call, Machine, Query, gl::*};
+use onionskin::{Context, Format, Mesh, Scene, steps};
 use proptest::test_runner::{TestCaseError, TestError};
 
 use crate::kit::lockstep::{LockStep, Watched, surfaces};
@@ -275,8 +273,8 @@ fn one_fragment_off_by_its_last_bit_would_be_noticed() {
 #[test]
 fn stencil_operations_agree_one_by_one() {
     // Every operation in each of its three places, over values that saturate and wrap.
-    const OPS: [onionskin::steps::StencilOp; 8] = {
-        use onionskin::steps::StencilOp::*;
+    const OPS: [onionskin::low_level::steps::StencilOp; 8] = {
+        use onionskin::low_level::steps::StencilOp::*;
         [Keep, Zero, Replace, Incr, IncrWrap, Decr, DecrWrap, Invert]
     };
     let context = Context::headless().unwrap();
@@ -284,8 +282,8 @@ fn stencil_operations_agree_one_by_one() {
     for (place, op) in (0..3).flat_map(|place| OPS.map(|op| (place, op))) {
         let amendment = [
             op,
-            onionskin::steps::StencilOp::Keep,
-            onionskin::steps::StencilOp::Keep,
+            onionskin::low_level::steps::StencilOp::Keep,
+            onionskin::low_level::steps::StencilOp::Keep,
         ];
         let [sfail, dpfail, dppass] = std::array::from_fn(|i| amendment[(i + 3 - place) % 3]);
         let scene = stack.scene();
@@ -310,16 +308,16 @@ fn stencil_operations_agree_one_by_one() {
         };
         const COUNTED: Query = Query("counted");
         for step in steps! {
-            glBindFramebuffer(onionskin::papers::stage::PEEL);
+            glBindFramebuffer(onionskin::low_level::papers::stage::PEEL);
             glClearStencil(253);
             glClear(DEPTH_AND_STENCIL_BUFFER_BITS);
             glEnable(DEPTH_TEST);
             glEnable(STENCIL_TEST);
             glStencilFunc(NOTEQUAL, 1, 0xFF);
             glStencilMask(0x7F);
-            glUseProgram(onionskin::papers::stage::SURFACE);
+            glUseProgram(onionskin::low_level::papers::stage::SURFACE);
         } {
-            let onionskin::steps::Step::Call(call) = step else {
+            let onionskin::low_level::steps::Step::Call(call) = step else {
                 unreachable!("there are only calls")
             };
             both.perform(call).unwrap();
@@ -332,7 +330,7 @@ fn stencil_operations_agree_one_by_one() {
         .unwrap();
         both.perform(&Call::BeginQuery { query: COUNTED }).unwrap();
         both.perform(&Call::Draw {
-            objects: onionskin::steps::Objects::Transparent,
+            objects: onionskin::low_level::steps::Objects::Transparent,
         })
         .unwrap();
         both.perform(&Call::EndQuery { query: COUNTED }).unwrap();

@@ -1,8 +1,8 @@
 //! What the machine refuses, and how it says so.
 
-use onionskin::gl::{Format, GlMachine};
-use onionskin::steps::{Call, Machine, Map, Objects, Query, Shader, Target};
-use onionskin::{Context, Error};
+use onionskin::low_level::gl::GlMachine;
+use onionskin::low_level::steps::{Call, Machine, Map, Objects, Query, Shader, Target};
+use onionskin::{Context, Error, Format};
 
 #[test]
 #[cfg_attr(
@@ -45,7 +45,7 @@ fn a_swap_exchanges_the_names_of_two_maps() {
             .framebuffer(Target("depth"), None, Some(map))
             .unwrap();
         machine.perform(&Call::ClearDepth { depth }).unwrap();
-        let mask = onionskin::steps::gl::DEPTH_BUFFER_BIT;
+        let mask = onionskin::low_level::steps::gl::DEPTH_BUFFER_BIT;
         machine.perform(&Call::Clear { mask }).unwrap();
     }
     machine.perform(&Call::Swap { a: peel, b: next }).unwrap();

@@ -2,11 +2,11 @@
 
 use crate::kit::bounds::F32;
 use crate::kit::stack;
-use onionskin::image::Comparison;
-use onionskin::methods::{Compositing, DepthPeelingOptions, Frame, Peeling};
-use onionskin::scene::generate::{Soup, soup};
-use onionskin::steps::Reason;
-use onionskin::{Context, Method, Renderer, Scene};
+use onionskin::generate::{Soup, soup};
+use onionskin::low_level::methods::Peeling;
+use onionskin::low_level::steps::Reason;
+use onionskin::options::{Compositing, DepthPeelingOptions};
+use onionskin::{Comparison, Context, Frame, Method, Renderer, Scene};
 use proptest::test_runner::TestCaseError;
 
 use crate::kit::peeling::peel;

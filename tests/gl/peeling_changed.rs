@@ -1,11 +1,10 @@
 //! Depth peeling when a word of the listing is changed.
 
 use crate::kit::bounds::F32;
-use onionskin::image::Comparison;
-use onionskin::methods::DepthPeelingOptions;
-use onionskin::papers::stage;
-use onionskin::steps::{Amendment, Map, Shader, Step};
-use onionskin::{Context, Method, Renderer, Scene, steps};
+use onionskin::low_level::papers::stage;
+use onionskin::low_level::steps::{Amendment, Map, Shader, Step};
+use onionskin::options::DepthPeelingOptions;
+use onionskin::{Comparison, Context, Method, Renderer, Scene, steps};
 
 use crate::kit::changed::changed;
 use crate::kit::peeling::peel;

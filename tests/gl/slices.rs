@@ -4,11 +4,9 @@
 use crate::kit::stack;
 use std::cell::Cell;
 
-use onionskin::image::Comparison;
-use onionskin::methods::{
-    ABufferOptions, DEFAULT_SLICES, Frame, MOST_SLICES, RecordColor, registry,
-};
-use onionskin::{Context, Error, Method, Renderer, Scene};
+use onionskin::low_level::methods::{DEFAULT_SLICES, MOST_SLICES};
+use onionskin::options::{ABufferOptions, RecordColor};
+use onionskin::{Comparison, Context, Error, Frame, Method, Renderer, Scene, registry};
 use proptest::test_runner::{TestCaseError, TestError};
 
 use crate::kit::cast::cast;

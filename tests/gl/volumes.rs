@@ -1,10 +1,7 @@
 //! Volumes and surfaces in one image, by `exact` on the driver's own fragments.
 
 use crate::kit::bounds::distance;
-use onionskin::fragment::Rgba;
-use onionskin::methods::registry;
-use onionskin::scene::{Mesh, Transfer};
-use onionskin::{Context, Error, Image, Method, Renderer, Scene};
+use onionskin::{Context, Error, Image, Mesh, Method, Renderer, Rgba, Scene, Transfer, registry};
 
 use crate::kit::cast::cast;
 use crate::kit::fog::cast_fog;

@@ -43,7 +43,7 @@ fn a_note_is_not_on_standard_output_with_json() {
     assert!(answer.err.starts_with("note: "), "{answer}");
     assert_eq!(
         answer.objects().len(),
-        onionskin::methods::registry().len(),
+        onionskin::registry().len(),
         "{answer}"
     );
 }

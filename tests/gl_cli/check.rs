@@ -150,8 +150,7 @@ fn check_recognises_flips_shifts_channels_and_alpha() {
         "shifted by 3 pixels to the right and 2 pixels down",
     );
     let swapped = desk_with_image(|image| {
-        let swap =
-            |pixel: &mut onionskin::fragment::Rgba| std::mem::swap(&mut pixel.r, &mut pixel.b);
+        let swap = |pixel: &mut onionskin::Rgba| std::mem::swap(&mut pixel.r, &mut pixel.b);
         image.pixels.iter_mut().for_each(swap);
     });
     looks_like(&swapped, "BGR instead of RGB");

@@ -1,8 +1,7 @@
 //! `onionskin compare`: its table and its JSON are what the library has.
 
 use crate::kit::sheets::{F32, KEYS, SHEETS, desk, library, object};
-use onionskin::Method;
-use onionskin::methods::registry;
+use onionskin::{Method, registry};
 
 #[test]
 fn compare_shows_every_method_in_the_registrys_order() {

@@ -1,6 +1,6 @@
 //! `onionskin complexity`, and the A-buffers' options on the command line.
 
-use onionskin::image::Image;
+use onionskin::Image;
 use serde_json::Value;
 
 use crate::kit::cli::Desk;

@@ -5,9 +5,8 @@ use std::collections::BTreeSet;
 
 use crate::kit::cli::Desk;
 use crate::kit::sheets::{F32, KEYS, desk, holds_the_image_in_8_bits, library, object, peeling};
-use onionskin::fragment::Rgba;
-use onionskin::methods::{Compositing, DepthPeelingOptions, registry};
-use onionskin::{Image, Method};
+use onionskin::options::{Compositing, DepthPeelingOptions};
+use onionskin::{Image, Method, Rgba, registry};
 
 #[test]
 fn render_writes_the_scenes_image_as_png() {

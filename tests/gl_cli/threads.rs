@@ -31,10 +31,7 @@ fn image(threads: u32, method: &str) -> Vec<u8> {
 
 #[test]
 fn every_exact_method_gives_the_same_image_with_any_number_of_threads() {
-    for entry in onionskin::methods::registry()
-        .iter()
-        .filter(|entry| entry.exact)
-    {
+    for entry in onionskin::registry().iter().filter(|entry| entry.exact) {
         let context = onionskin::Context::headless().unwrap();
         if !entry.runs_on(context.driver()) {
             println!("skipped: {} needs {:?}", entry.name, entry.needs);

@@ -1,9 +1,9 @@
 //! Contexts, and what a renderer leaves behind.
 
-use onionskin::gl::{Backend, ContextOptions, GlMachine, Profile};
-use onionskin::methods::{Compositing, DepthPeelingOptions, registry};
-use onionskin::scene::generate::{Quads, Soup, quads, soup};
-use onionskin::{Context, Error, Method, Renderer, Scene};
+use onionskin::generate::{Quads, Soup, quads, soup};
+use onionskin::low_level::gl::{GlMachine, Profile};
+use onionskin::options::{Compositing, DepthPeelingOptions};
+use onionskin::{Backend, Context, ContextOptions, Error, Method, Renderer, Scene, registry};
 
 const METHODS: [&str; 4] = ["blend", "depth-peeling", "dfb+ppdp", "exact"];
 

@@ -10,9 +10,7 @@ use std::collections::BTreeMap;
 use std::ffi::{c_int, c_uint, c_void};
 use std::sync::Arc;
 
-use onionskin::gl::Backend;
-use onionskin::methods::registry;
-use onionskin::{Context, Error, Method, Renderer, Scene};
+use onionskin::{Backend, Context, Error, Method, Renderer, Scene, registry};
 
 const OUT_OF_MEMORY: c_uint = 0x0505;
 

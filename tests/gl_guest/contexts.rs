@@ -7,11 +7,10 @@ use std::sync::Arc;
 
 use glow::HasContext;
 use khronos_egl as egl;
-use onionskin::gl::{Backend, Format, Geometry, GlMachine};
-use onionskin::image::Image;
-use onionskin::scene::generate::{Soup, soup};
-use onionskin::steps::{Call, Machine, Map, Objects, Shader, Target};
-use onionskin::{Context, Method, Renderer, Scene};
+use onionskin::generate::{Soup, soup};
+use onionskin::low_level::gl::{Geometry, GlMachine};
+use onionskin::low_level::steps::{Call, Machine, Map, Objects, Shader, Target};
+use onionskin::{Backend, Context, Format, Image, Method, Renderer, Scene};
 
 const METHODS: [&str; 4] = ["blend", "depth-peeling", "dfb+ppdp", "exact"];
 
@@ -74,7 +73,7 @@ fn a_machine_s_calls_go_to_its_own_context() {
         machine.perform(&Call::ClearDepth { depth }).unwrap();
     }
     for machine in &mut machines {
-        let mask = onionskin::steps::gl::DEPTH_BUFFER_BIT;
+        let mask = onionskin::low_level::steps::gl::DEPTH_BUFFER_BIT;
         machine.perform(&Call::Clear { mask }).unwrap();
     }
     let [of_a, of_b] = machines.map(|machine| machine.read_depths(map).unwrap());

@@ -5,9 +5,9 @@
 use crate::kit::loader;
 use crate::kit::small_scenes;
 use glow::HasContext;
-use onionskin::gl::{ContextOptions, Format, GlMachine, Profile};
-use onionskin::steps::{Call, Machine, Map, Target};
-use onionskin::{Context, Method, Renderer, Scene};
+use onionskin::low_level::gl::{GlMachine, Profile};
+use onionskin::low_level::steps::{Call, Machine, Map, Target};
+use onionskin::{Context, ContextOptions, Format, Method, Renderer, Scene};
 use proptest::prelude::*;
 
 const SIZE: [u32; 2] = [7, 5];

@@ -9,9 +9,7 @@ use std::sync::Arc;
 
 use crate::kit::host::{Host, ODD, gl_call};
 use glow::HasContext;
-use onionskin::image::Image;
-use onionskin::methods::{CountBy, registry};
-use onionskin::{Context, Method, Renderer, Scene};
+use onionskin::{Context, CountBy, Image, Method, Renderer, Scene, registry};
 
 #[test]
 fn with_every_state_odd_every_method_gives_the_image_of_a_clean_context_and_the_state_back() {
@@ -105,7 +103,7 @@ fn counting_layers_and_looking_for_traps_give_the_state_back_too() {
     let odd = host.state();
     assert_eq!(count(&guest).counts, clean.counts);
     expect(&host, &odd, "counting layers");
-    onionskin::gl::GlMachine::new(&guest, [64, 64])
+    onionskin::low_level::gl::GlMachine::new(&guest, [64, 64])
         .unwrap()
         .traps()
         .unwrap();

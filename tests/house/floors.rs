@@ -6,6 +6,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::sources::{files, root};
+use crate::surface::names;
 
 /// Every room with its floor, as the README's plan has them: a floor's number stands before its first room.
 fn floors() -> Vec<(String, u32)> {
@@ -63,11 +64,14 @@ fn an_import_from_above_would_be_found() {
     );
     assert_eq!(found, ["gl", "methods", "scene"].map(str::to_owned).into());
     let nested = imports(
-        "use crate::{error::Result, papers::vtk};\nuse super::*;\nuse onionskin::{Context, Scene};",
+        "use crate::{error::Result, papers::vtk};\nuse super::*;\nuse onionskin::{Context, Scene};
+         use onionskin::low_level::steps::Call;",
     );
     assert_eq!(
         nested,
-        ["error", "papers", "gl", "scene"].map(str::to_owned).into()
+        ["error", "papers", "gl", "scene", "steps"]
+            .map(str::to_owned)
+            .into()
     );
 }
 
@@ -144,17 +148,14 @@ fn imports(text: &str) -> BTreeSet<String> {
 }
 
 fn room(path: &str) -> String {
+    let path = path.strip_prefix("low_level::").unwrap_or(path);
     let name: String = path
         .chars()
         .take_while(|c| c.is_alphanumeric() || *c == '_')
         .collect();
-    match name.as_str() {
-        "Context" => "gl",
-        "Image" => "image",
-        "Frame" | "Method" | "Renderer" => "methods",
-        "Scene" => "scene",
-        "Error" | "Result" => "error",
-        other => other,
-    }
-    .to_owned()
+    let offered = names().into_iter().find(|(_, offered)| *offered == name);
+    offered.map_or(name, |(path, _)| {
+        let room = path.trim_start_matches("low_level::").split("::").next();
+        room.unwrap().to_owned()
+    })
 }

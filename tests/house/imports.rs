@@ -112,7 +112,7 @@ impl House {
             );
             for child in children {
                 let name = child.last().expect("a child has a name");
-                // Inside of modules that are written out in a file, none has a file of its own here.
+                // A module that is written out in a file has its modules' files beside that file: so does its `#[path]` say.
                 let inside = format!("{folder}{name}/");
                 let alone = format!("{folder}{name}.rs");
                 let file = match source(&alone) {
@@ -264,7 +264,12 @@ impl Reader<'_> {
         }
         // A path without a beginning leads to a child, or to another crate.
         let target = from.unwrap_or_else(|| [&self.names[..], &path].concat());
-        self.here().uses.insert(name, target);
+        // A function may have its module's name; who names more than that means the module.
+        let is_function = path.len() > 1 && path[path.len() - 2] == name;
+        let uses = &mut self.here().uses;
+        if !(is_function && uses.contains_key(&name)) {
+            uses.insert(name, target);
+        }
     }
 
     /// Paths in a macro's words, which nobody has parsed.

@@ -1,5 +1,5 @@
-//! The library's surface: every `pub` item of the source, in a file that is kept. A name that appears or goes is seen in
-//! the diff. `BLESS=1` rewrites the file.
+//! The library's surface, in two files that are kept: the names that the crate's root offers, and every `pub` item of the
+//! source. A name that appears or goes is seen in the diff. `BLESS=1` rewrites the files.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -10,8 +10,18 @@ use syn::{ImplItem, Item, UseTree, Visibility};
 use crate::sources::{files, root};
 
 #[test]
+fn the_root_offers_the_names_that_are_kept() {
+    let names = names();
+    expect_kept(
+        "public_names.txt",
+        names.iter().map(|(_, name)| name.clone()).collect(),
+    );
+    // A newcomer reads them all.
+    assert!((30..=50).contains(&names.len()), "{}", names.len());
+}
+
+#[test]
 fn public_items_are_those_that_are_kept() {
-    let kept = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/transcripts/public_items.txt");
     let mut all = BTreeSet::new();
     for file in files(&root()) {
         let name = file.strip_prefix(root()).unwrap();
@@ -25,6 +35,46 @@ fn public_items_are_those_that_are_kept() {
             );
         }
     }
+    expect_kept("public_items.txt", all);
+}
+
+/// The names that the crate's root offers, each after its path from there. Modules that are written out in the root are
+/// their own path.
+pub fn names() -> Vec<(String, String)> {
+    let text = fs::read_to_string(root().join("lib.rs")).unwrap();
+    let mut found = Vec::new();
+    for item in syn::parse_file(&text).unwrap().items {
+        match item {
+            Item::Use(item) if is_public(&item.vis) => paths(&item.tree, "", &mut found),
+            Item::Mod(item) if is_public(&item.vis) => {
+                found.push((item.ident.to_string(), item.ident.to_string()));
+            }
+            _ => {}
+        }
+    }
+    found.sort_by(|(_, a), (_, b)| a.cmp(b));
+    found
+}
+
+fn paths(tree: &UseTree, before: &str, found: &mut Vec<(String, String)>) {
+    match tree {
+        UseTree::Path(path) => paths(&path.tree, &format!("{before}{}::", path.ident), found),
+        UseTree::Name(name) => {
+            found.push((format!("{before}{}", name.ident), name.ident.to_string()))
+        }
+        UseTree::Group(group) => group
+            .items
+            .iter()
+            .for_each(|tree| paths(tree, before, found)),
+        UseTree::Rename(_) | UseTree::Glob(_) => panic!("the root offers names by name"),
+    }
+}
+
+/// Holds lines against a file's, which `BLESS=1` rewrites.
+fn expect_kept(file: &str, all: BTreeSet<String>) {
+    let kept = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("tests/transcripts")
+        .join(file);
     let found: String = all.iter().map(|line| format!("{line}\n")).collect();
     if std::env::var_os("BLESS").is_some() {
         fs::write(&kept, &found).unwrap();
@@ -35,7 +85,7 @@ fn public_items_are_those_that_are_kept() {
     let gone: Vec<_> = before.difference(&all).collect();
     assert!(
         new.is_empty() && gone.is_empty(),
-        "new: {new:#?}\ngone: {gone:#?}\n(BLESS=1 rewrites the list)"
+        "new: {new:#?}\ngone: {gone:#?}\n(BLESS=1 rewrites {file})"
     );
 }
 

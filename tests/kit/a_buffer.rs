@@ -1,9 +1,9 @@
 //! What the tests of A-buffers on OpenGL have in common.
 
-use onionskin::methods::{ABufferCounts, ABufferOptions, ArraySort, Frame, Manager, RecordColor};
-use onionskin::scene::Camera;
-use onionskin::scene::generate::{Order, Quads, Soup, quads, soup};
-use onionskin::{Method, Renderer, Scene};
+use onionskin::generate::{Order, Quads, Soup, quads, soup};
+use onionskin::low_level::methods::ABufferCounts;
+use onionskin::options::{ABufferOptions, ArraySort, Manager, RecordColor};
+use onionskin::{Camera, Frame, Method, Renderer, Scene};
 
 /// A half float has 11 significant bits, so a colour is off by at most 2^-12 and an alpha by at most alpha x 2^-11 when
 /// rounded to nearest, twice that when cut. Colours are weighted by what adds up to 1; so are the alphas' relative errors.

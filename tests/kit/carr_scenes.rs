@@ -1,10 +1,9 @@
 //! Methods and scenes of the claims of Carr, Měch and Miller 2008.
 
-use onionskin::Method;
-use onionskin::image::Comparison;
-use onionskin::methods::{
-    Frame, HybridLayerPeelingOptions, IdealOptions, LayerPeelingOptions, TriangleSort,
+use onionskin::options::{
+    HybridLayerPeelingOptions, IdealOptions, LayerPeelingOptions, TriangleSort,
 };
+use onionskin::{Comparison, Frame, Method};
 
 pub fn ideal(sorting: TriangleSort) -> Method {
     Method::IdealCoherentLayerPeeling(IdealOptions {

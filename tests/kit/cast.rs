@@ -2,8 +2,7 @@
 //! the shaders or the driver.
 
 use glam::{DVec2, DVec3};
-use onionskin::Scene;
-use onionskin::scene::{Mesh, Shading};
+use onionskin::{Mesh, Scene, Shading};
 
 /// A surface that a pixel's ray meets.
 #[derive(Clone, Copy, Debug)]

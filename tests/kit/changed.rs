@@ -1,6 +1,6 @@
 //! An amendment of a test: other steps, to see whether that is noticed.
 
-use onionskin::steps::{Amendment, Step};
+use onionskin::low_level::steps::{Amendment, Step};
 
 pub const fn changed(printed: &'static [Step], amended: &'static [Step]) -> Amendment {
     Amendment {

@@ -3,11 +3,8 @@
 use std::collections::BTreeMap;
 
 use glam::{DVec3, Vec3};
-use onionskin::Scene;
-use onionskin::fragment::Rgba;
-use onionskin::gl::Format;
-use onionskin::scene::{Camera, Mesh, Vertex};
-use onionskin::steps::{Compare, DepthTextureMode, gl::*};
+use onionskin::low_level::steps::{Compare, DepthTextureMode, gl::*};
+use onionskin::{Camera, Format, Mesh, Rgba, Scene, Vertex};
 use proptest::prelude::*;
 
 pub const SIZE: [u32; 2] = [32, 16];

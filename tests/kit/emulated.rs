@@ -1,16 +1,15 @@
 //! Scenes with volumes twice: pseudocode on the emulated pixel, and A-buffers on OpenGL.
 
-use onionskin::emulator::{RayScene, RayVolume, run_on_rays};
-use onionskin::fragment::{Fragment, Rgba, Source};
-use onionskin::image::Image;
-use onionskin::methods::{ABufferOptions, Frame, Manager, RecordColor};
-use onionskin::oracle::volumes::Ray;
-use onionskin::papers::stage;
-use onionskin::scene::{Medium, Mesh, Volume};
-use onionskin::steps::pseudo::Algorithm;
-use onionskin::steps::pseudo::list::Line;
-use onionskin::steps::{Amendment, Variables, run};
-use onionskin::{Context, Method, Renderer, Scene};
+use onionskin::low_level::emulator::{RayScene, RayVolume, run_on_rays};
+use onionskin::low_level::fragment::Source;
+use onionskin::low_level::oracle::volumes::Ray;
+use onionskin::low_level::papers::stage;
+use onionskin::low_level::scene::Medium;
+use onionskin::low_level::steps::pseudo::Algorithm;
+use onionskin::low_level::steps::pseudo::list::Line;
+use onionskin::low_level::steps::{Amendment, Variables, run};
+use onionskin::options::{ABufferOptions, Manager, RecordColor};
+use onionskin::{Context, Fragment, Frame, Image, Mesh, Method, Renderer, Rgba, Scene, Volume};
 
 use super::lists::{Lists, machine};
 use super::slack;

@@ -2,10 +2,9 @@
 
 use super::lists::Lists;
 use super::stack::{self, Piece, Stack};
-use onionskin::fragment::Rgba;
-use onionskin::methods::{Compositing, DepthPeelingOptions, Frame, Layer};
-use onionskin::scene::generate::{Soup, soup};
-use onionskin::{Context, Method, Renderer, Scene};
+use onionskin::generate::{Soup, soup};
+use onionskin::options::{Compositing, DepthPeelingOptions};
+use onionskin::{Context, Frame, Layer, Method, Renderer, Rgba, Scene};
 use proptest::test_runner::TestCaseError;
 
 /// What an eye, or a file of 8 bits, can tell apart.

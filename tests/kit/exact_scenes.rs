@@ -2,11 +2,8 @@
 
 use super::bounds::F32;
 use glam::DVec3;
-use onionskin::gl::Format;
-use onionskin::image::Comparison;
-use onionskin::scene::Camera;
-use onionskin::scene::generate::{Soup, soup};
-use onionskin::{Context, Method, Renderer, Scene};
+use onionskin::generate::{Soup, soup};
+use onionskin::{Camera, Comparison, Context, Format, Method, Renderer, Scene};
 
 /// How far a depth may be off: transform, division and interpolation are a handful of f32 roundings of 2^-24 each, of
 /// the depth itself and of places in an image of `size` pixels, over which the depth changes by `slope` a pixel. That

@@ -2,8 +2,7 @@
 //! composited back to front. It shares no code with the oracle, the volumes or the camera.
 
 use glam::{DMat3, DVec3};
-use onionskin::Scene;
-use onionskin::scene::{Transfer, Volume};
+use onionskin::{Scene, Transfer, Volume};
 
 use super::cast::{Cast, Hit};
 

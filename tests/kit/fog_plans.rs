@@ -2,9 +2,7 @@
 //! still fail.
 
 use glam::{DAffine3, DQuat, DVec3, Vec3};
-use onionskin::Scene;
-use onionskin::fragment::Rgba;
-use onionskin::scene::{Mesh, Transfer, TransferPoint, Vertex, Volume};
+use onionskin::{Mesh, Rgba, Scene, Transfer, TransferPoint, Vertex, Volume};
 use proptest::prelude::*;
 
 use super::fog_scenes::{Random, seen_closely};

@@ -1,9 +1,8 @@
 //! Scenes of fog: a cube and a pane with their closed form, and random ones.
 
 use glam::{DAffine3, DQuat, DVec3};
-use onionskin::scene::generate::{Constant, Lattice, Quads, Soup, constant, quads, soup};
-use onionskin::scene::{Camera, Transfer, TransferPoint, Volume};
-use onionskin::{Image, Scene};
+use onionskin::generate::{Constant, Lattice, Quads, Soup, constant, quads, soup};
+use onionskin::{Camera, Image, Scene, Transfer, TransferPoint, Volume};
 
 pub fn painted(color: [f32; 3]) -> Transfer {
     let point = |value| TransferPoint {
@@ -35,7 +34,7 @@ pub fn fog_and_pane(eye: f64, pane: f32, alpha: f32, step: f64) -> Scene {
         ..Quads::default()
     })
     .unwrap()
-    .transformed(&onionskin::scene::Transform {
+    .transformed(&onionskin::Transform {
         translate: DVec3::Z * f64::from(pane),
         ..Default::default()
     });

@@ -5,7 +5,7 @@
 use std::collections::BTreeMap;
 
 use glow::HasContext;
-use onionskin::gl::Backend;
+use onionskin::Backend;
 
 use super::loader;
 

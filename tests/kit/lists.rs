@@ -1,10 +1,10 @@
 //! Every pixel's fragments, nearest first: captured from GL, sorted here.
 
-use onionskin::gl::{CapturedFragment, Context, Format, Geometry, GlMachine, capture};
-use onionskin::methods::allocate_maps;
-use onionskin::papers::stage;
-use onionskin::steps::{Variables, run};
-use onionskin::{Result, Scene};
+use onionskin::low_level::gl::{CapturedFragment, Geometry, GlMachine, capture};
+use onionskin::low_level::methods::allocate_maps;
+use onionskin::low_level::papers::stage;
+use onionskin::low_level::steps::{Variables, run};
+use onionskin::{Context, Format, Result, Scene};
 
 /// The lists of an image.
 #[derive(Clone, Debug)]

@@ -5,8 +5,7 @@
 
 use std::ffi::{CString, c_char, c_void};
 
-use onionskin::Context;
-use onionskin::gl::Backend;
+use onionskin::{Backend, Context};
 
 /// A function of the current context; null if there is none of that name.
 pub fn function(backend: Backend, name: &str) -> *const c_void {

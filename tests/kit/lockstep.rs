@@ -1,12 +1,11 @@
 //! Two machines that perform every call at the same time: OpenGL and the emulated pixels, held against each other after
 //! each draw and each copy.
 
-use onionskin::emulator::{Emulator, Group, Surface};
-use onionskin::fragment::Fragment;
-use onionskin::gl::{GlMachine, capture};
-use onionskin::papers::stage;
-use onionskin::steps::{Call, Format, Machine, Map, Query, Target, Variables, gl::*, run};
-use onionskin::{Result, Scene};
+use onionskin::low_level::emulator::{Emulator, Group, Surface};
+use onionskin::low_level::gl::{GlMachine, capture};
+use onionskin::low_level::papers::stage;
+use onionskin::low_level::steps::{Call, Machine, Map, Query, Target, Variables, gl::*, run};
+use onionskin::{Format, Fragment, Result, Scene};
 
 /// What the two are compared in.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

@@ -1,8 +1,8 @@
 //! ppAO's masks by the stencil buffer: as amendments of the pseudocode, and as arithmetic that knows no lines.
 
-use onionskin::papers::lindholm_2015::components::by_stencil;
-use onionskin::steps::Amendment;
-use onionskin::steps::pseudo::list::{Counter, Line, Mark, Test};
+use onionskin::low_level::papers::lindholm_2015::components::by_stencil;
+use onionskin::low_level::steps::Amendment;
+use onionskin::low_level::steps::pseudo::list::{Counter, Line, Mark, Test};
 
 /// Section 6.2 with this counter and this mark.
 pub fn stencil(counter: Counter, mark: Mark) -> [Amendment<Line>; 2] {

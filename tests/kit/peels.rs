@@ -1,15 +1,15 @@
 //! Fragment lists for the emulated pixel, what should become of them, and the peeling loops that run on them.
 
-use onionskin::emulator::{AlgorithmRun, Emulator, Group, Surface, run_algorithm};
-use onionskin::fragment::{Fragment, Rgba};
-use onionskin::methods::allocate_maps;
-use onionskin::oracle;
-use onionskin::papers::carr_2008::{coherent, hybrid, ideal};
-use onionskin::papers::stage;
-use onionskin::steps::pseudo::Line;
-use onionskin::steps::{
-    Amendment, Format, Listing, Machine, Map, Outcome, Resources, Variables, Workspace, run,
+use onionskin::low_level::emulator::{AlgorithmRun, Emulator, Group, Surface, run_algorithm};
+use onionskin::low_level::methods::allocate_maps;
+use onionskin::low_level::oracle;
+use onionskin::low_level::papers::carr_2008::{coherent, hybrid, ideal};
+use onionskin::low_level::papers::stage;
+use onionskin::low_level::steps::pseudo::Line;
+use onionskin::low_level::steps::{
+    Amendment, Listing, Machine, Map, Outcome, Resources, Variables, Workspace, run,
 };
+use onionskin::{Format, Fragment, Rgba};
 
 /// A pixel's surfaces in the order of submission.
 pub type Pixel = Vec<Surface>;

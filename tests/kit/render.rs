@@ -1,7 +1,6 @@
 //! Frames of a scene at its own size.
 
-use onionskin::methods::Frame;
-use onionskin::{Context, Method, Renderer, Scene};
+use onionskin::{Context, Frame, Method, Renderer, Scene};
 
 pub fn render(context: &Context, scene: &Scene, method: &Method) -> Frame {
     let [width, height] = scene.size;

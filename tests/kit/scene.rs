@@ -6,9 +6,8 @@ pub mod square;
 
 use std::path::PathBuf;
 
-use onionskin::Error;
-use onionskin::error::Place;
-use onionskin::scene::{Mesh, Scene};
+use onionskin::low_level::error::Place;
+use onionskin::{Error, Mesh, Scene};
 use tempfile::TempDir;
 
 /// A folder that goes away with it.

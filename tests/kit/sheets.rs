@@ -1,8 +1,8 @@
 //! A desk with scenes of sheets, and what the library makes of them.
 
 use super::cli::{Answer, Desk};
-use onionskin::methods::{DepthPeelingOptions, Frame};
-use onionskin::{Context, Image, Method, Renderer, Scene};
+use onionskin::options::DepthPeelingOptions;
+use onionskin::{Context, Frame, Image, Method, Renderer, Scene};
 
 /// Five sheets that cover the middle of the picture, shuffled, so that the order matters.
 pub const SHEETS: &str = r#"

@@ -1,9 +1,7 @@
 //! What an image of volumes on OpenGL may be off by because of where the rasteriser has the faces of their boxes.
 
-use onionskin::Scene;
-use onionskin::methods::Frame;
-use onionskin::oracle::volumes::Ray;
-use onionskin::scene::Volume;
+use onionskin::low_level::oracle::volumes::Ray;
+use onionskin::{Frame, Scene, Volume};
 
 /// What a pixel may be off by for the rasteriser's sake; infinite where it may see another box, at outlines.
 ///

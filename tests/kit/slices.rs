@@ -2,8 +2,7 @@
 //! pixels' centres, composited back to front. It shares no code with the stack, the shaders or the driver.
 
 use glam::{DMat3, DVec3};
-use onionskin::Scene;
-use onionskin::scene::Volume;
+use onionskin::{Scene, Volume};
 
 use super::cast::{Cast, Hit};
 use super::fog::{look, over, ray, value};

@@ -1,7 +1,7 @@
 //! Small scenes for what is tested state by state or allocation by allocation: 16 x 16 pixels.
 
 use onionskin::Scene;
-use onionskin::scene::generate::{Soup, soup};
+use onionskin::generate::{Soup, soup};
 
 /// So many random triangles.
 pub fn surfaces(count: u32) -> Scene {

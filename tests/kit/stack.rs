@@ -2,11 +2,8 @@
 //! quads. What the list should look like is known from how it was made, not from what was drawn.
 
 use glam::{DVec3, Vec3};
-use onionskin::Scene;
-use onionskin::fragment::{Fragment, Rgba};
-use onionskin::image::Image;
-use onionskin::oracle;
-use onionskin::scene::{Camera, Mesh, Vertex};
+use onionskin::low_level::oracle;
+use onionskin::{Camera, Fragment, Image, Mesh, Rgba, Scene, Vertex};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, TestError, TestRng, TestRunner};
 

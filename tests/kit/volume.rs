@@ -5,8 +5,7 @@ use std::io::Write;
 use base64::Engine;
 use flate2::Compression;
 use flate2::write::{GzEncoder, ZlibEncoder};
-use onionskin::scene::{Scene, Volume};
-use onionskin::{Error, Result};
+use onionskin::{Error, Result, Scene, Volume};
 
 use super::scene::{Folder, Refused, refused};
 

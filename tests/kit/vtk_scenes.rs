@@ -2,10 +2,9 @@
 
 use super::bounds::F32;
 use super::stack::{Piece, Stack};
-use onionskin::image::Comparison;
-use onionskin::methods::{Compositing, DepthPeelingOptions, Frame};
-use onionskin::scene::generate::{Soup, soup};
-use onionskin::{Context, Method, Renderer, Scene};
+use onionskin::generate::{Soup, soup};
+use onionskin::options::{Compositing, DepthPeelingOptions};
+use onionskin::{Comparison, Context, Frame, Method, Renderer, Scene};
 
 pub const BOTH: [Compositing; 2] = [Compositing::OnTheFly, Compositing::KeepLayers];
 

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
-use onionskin::papers::papers;
+use onionskin::papers;
 
 use crate::kit::amendment_tests::{IN_GL, compiled};
 

@@ -1,14 +1,13 @@
 //! Every name in every listing is checked before anything runs, and a misspelt one is refused with the one that was meant.
 
-use onionskin::gl::shaders;
-use onionskin::papers::carr_2008::{coherent, hybrid, ideal};
-use onionskin::papers::everitt_2001::{LISTING_1, REPLACED, TRIED, WINDOW_Z};
-use onionskin::papers::{bavoil_2008, lindholm_2015, papers, stage, vasilakis_2013, vtk};
-use onionskin::steps;
-use onionskin::steps::{
-    Amendment, Dialect, Known, Listing, Map, Query, Resources, Shader, Step, Storage, Target, Text,
-    check,
+use onionskin::low_level::gl::shaders;
+use onionskin::low_level::papers::carr_2008::{coherent, hybrid, ideal};
+use onionskin::low_level::papers::everitt_2001::{LISTING_1, REPLACED, TRIED, WINDOW_Z};
+use onionskin::low_level::papers::{bavoil_2008, lindholm_2015, stage, vasilakis_2013, vtk};
+use onionskin::low_level::steps::{
+    Amendment, Dialect, Known, Listing, Map, Query, Resources, Shader, Step, Storage, Target, check,
 };
+use onionskin::{Text, papers, steps};
 
 use crate::kit::changed::changed;
 

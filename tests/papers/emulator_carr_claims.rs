@@ -3,11 +3,13 @@
 
 use crate::kit::peels;
 use approx::assert_abs_diff_eq;
-use onionskin::emulator::Emulator;
-use onionskin::papers::carr_2008::coherent::{STOP_ON_PASS_1, STOP_ON_SECTION_6, TIE_FRIENDLY};
-use onionskin::papers::carr_2008::ideal;
-use onionskin::steps;
-use onionskin::steps::{Amendment, Call, Format, Machine, Reason, gl::*};
+use onionskin::low_level::emulator::Emulator;
+use onionskin::low_level::papers::carr_2008::coherent::{
+    STOP_ON_PASS_1, STOP_ON_SECTION_6, TIE_FRIENDLY,
+};
+use onionskin::low_level::papers::carr_2008::ideal;
+use onionskin::low_level::steps::{Amendment, Call, Machine, Reason, gl::*};
+use onionskin::{Format, steps};
 
 use crate::kit::peels::{
     Emulated, LOOPS, Loop, Pixel, algorithm_2, amended, bad, before, depth_of, emulate,
@@ -211,7 +213,7 @@ fn pass_2_is_only_an_accelerator() {
         why: "what is pass 2 good for?",
         test: "this one",
     };
-    use onionskin::papers::carr_2008::passes as steps_of_pass_2;
+    use onionskin::low_level::papers::carr_2008::passes as steps_of_pass_2;
     let pixels = random_image(8);
     let mut amendments = vec![SKIPPED];
     amendments.extend(Loop::A.amendments());
@@ -252,7 +254,7 @@ fn a_call_that_the_emulated_pixel_cannot_perform_is_named() {
         "{error}"
     );
     let unknown = Call::UseProgram {
-        program: onionskin::steps::Shader("capture"),
+        program: onionskin::low_level::steps::Shader("capture"),
     };
     let error = emulator.perform(&unknown).unwrap_err().to_string();
     assert!(error.contains("no twin of the shader 'capture'"), "{error}");

@@ -2,11 +2,11 @@
 //! images of 32 x 32 pixels, and that it does not as amended. X1, X2 and X7 are in `papers/emulator_figure_2.rs`.
 
 use crate::kit::peels;
-use onionskin::emulator::run_algorithm;
-use onionskin::papers::carr_2008::coherent::{self, CLEAN_STATE};
-use onionskin::papers::carr_2008::{hybrid, ideal};
-use onionskin::steps;
-use onionskin::steps::{Amendment, Format};
+use onionskin::low_level::emulator::run_algorithm;
+use onionskin::low_level::papers::carr_2008::coherent::{self, CLEAN_STATE};
+use onionskin::low_level::papers::carr_2008::{hybrid, ideal};
+use onionskin::low_level::steps::Amendment;
+use onionskin::{Format, steps};
 
 use crate::kit::peels::{
     Dice, Loop, Pixel, algorithm_2, amended, bad, before, depth_of, emulate, emulate_in,
@@ -47,7 +47,7 @@ fn x6_a_range_that_is_open_below_loses_s_n() {
         key: "X6",
         place: "section 4.2",
         printed: steps! { run coherent::RANGE_5; },
-        amended: steps! { run coherent::RANGE_5; glUseProgram(onionskin::papers::carr_2008::OPEN_CLOSED); },
+        amended: steps! { run coherent::RANGE_5; glUseProgram(onionskin::low_level::papers::carr_2008::OPEN_CLOSED); },
         why: "as section 4.2 prints it",
         test: "this one",
     };
@@ -109,8 +109,8 @@ fn x10_counting_pass_5_alone_ends_the_loop_too_early() {
     const PASS_5_ONLY: Amendment = Amendment {
         key: "X10",
         place: "section 5.2, the query",
-        printed: steps! { run coherent::PASS_6; glEndQuery(onionskin::papers::carr_2008::COMPOSITED); },
-        amended: steps! { glEndQuery(onionskin::papers::carr_2008::COMPOSITED); run coherent::PASS_6; },
+        printed: steps! { run coherent::PASS_6; glEndQuery(onionskin::low_level::papers::carr_2008::COMPOSITED); },
+        amended: steps! { glEndQuery(onionskin::low_level::papers::carr_2008::COMPOSITED); run coherent::PASS_6; },
         why: "'occlusion queries during the compositing phase', read as pass 5",
         test: "this one",
     };
@@ -213,7 +213,7 @@ fn x14_blending_left_on_does_no_harm_where_maps_are_depths() {
     // The prototype read its maps from colors. Here they are copies of the depth buffer, and colors are masked.
     const LEFT_ON: Amendment = Amendment {
         amended: steps! {
-            glBindFramebuffer(onionskin::papers::stage::PEEL);
+            glBindFramebuffer(onionskin::low_level::papers::stage::PEEL);
             glColorMask(false, false, false, false);
         },
         ..CLEAN_STATE
@@ -249,7 +249,7 @@ fn half_sorted(pixels: Vec<Pixel>) -> Vec<Pixel> {
             depths.sort_by(f32::total_cmp);
             for (surface, depth) in pixel[middle..].iter_mut().zip(depths) {
                 surface.fragment.depth = depth;
-                surface.group = onionskin::emulator::Group::Sorted;
+                surface.group = onionskin::low_level::emulator::Group::Sorted;
             }
             pixel
         })
@@ -326,7 +326,7 @@ fn c02_iterations_depend_on_the_unsorted_geometry_only() {
         let mut surfaces = pixel([0.8, 0.2, 0.5]);
         let sorted = pixel((0..slices).map(|k| depth_of(k, slices)));
         for mut surface in sorted {
-            surface.group = onionskin::emulator::Group::Sorted;
+            surface.group = onionskin::low_level::emulator::Group::Sorted;
             surface.fragment.order += 3;
             surfaces.push(surface);
         }

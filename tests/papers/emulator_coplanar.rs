@@ -1,12 +1,12 @@
 //! Coplanar depth peeling on the emulated pixel: every sequence of few surfaces on few depths, with an opaque surface
 //! anywhere or nowhere, is composited as the oracle lists it, ties included.
 
-use onionskin::emulator::Emulator;
-use onionskin::methods::allocate_maps;
-use onionskin::papers::stage;
-use onionskin::papers::vasilakis_2013::{COPLANAR_PEELING, RESOURCES};
-use onionskin::steps;
-use onionskin::steps::{Amendment, DepthUnits, Format, Reason, Variables, gl::*, run};
+use onionskin::low_level::emulator::Emulator;
+use onionskin::low_level::methods::allocate_maps;
+use onionskin::low_level::papers::stage;
+use onionskin::low_level::papers::vasilakis_2013::{COPLANAR_PEELING, RESOURCES};
+use onionskin::low_level::steps::{Amendment, DepthUnits, Reason, Variables, gl::*, run};
+use onionskin::{Format, steps};
 
 use crate::kit::changed::changed;
 use crate::kit::peels::{Pixel, bad, before, pixel};

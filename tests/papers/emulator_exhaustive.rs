@@ -2,8 +2,8 @@
 //! them, on the emulated pixel: the amended algorithms composite exactly the oracle's list, each surface once, in order.
 
 use crate::kit::peels;
-use onionskin::emulator::{Group, run_algorithm};
-use onionskin::papers::carr_2008::{hybrid, ideal};
+use onionskin::low_level::emulator::{Group, run_algorithm};
+use onionskin::low_level::papers::carr_2008::{hybrid, ideal};
 
 use crate::kit::peels::{Loop, Pixel, bad, before, emulate, pixel};
 

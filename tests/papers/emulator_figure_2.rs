@@ -1,15 +1,16 @@
 //! Figure 2 of Carr et al. (2008), value by value on the emulated pixel, and section 4's definitions held against what
 //! the passes find.
 
-use onionskin::emulator::{Draw, Emulator, Outcome::*};
-use onionskin::methods::begin_batch;
-use onionskin::papers::carr_2008::coherent::{
+use onionskin::low_level::emulator::Outcome::*;
+use onionskin::low_level::emulator::{Draw, Emulator};
+use onionskin::low_level::methods::begin_batch;
+use onionskin::low_level::papers::carr_2008::coherent::{
     self, CLEAN_STATE, COMPOSITE_HALF_OPEN, LOOP_A, NO_TESTS, RUN_HALF_OPEN,
 };
-use onionskin::papers::carr_2008::{D_SN, Z_MIN_POST, Z_MIN_PREV};
-use onionskin::papers::stage;
-use onionskin::steps;
-use onionskin::steps::{Amendment, Format, Variables, gl::*, run};
+use onionskin::low_level::papers::carr_2008::{D_SN, Z_MIN_POST, Z_MIN_PREV};
+use onionskin::low_level::papers::stage;
+use onionskin::low_level::steps::{Amendment, Variables, gl::*, run};
+use onionskin::{Format, steps};
 
 use crate::kit::peels::{Loop, Pixel, pixel, random_image};
 

@@ -2,15 +2,16 @@
 //! few depths, against light that is composited back to front, and closed forms.
 
 use glam::DVec3;
-use onionskin::emulator::RayHappening::{Begins, Blends, IsCast, Toggles};
-use onionskin::emulator::{RayRun, RayScene, RayVolume, run_on_rays};
-use onionskin::fragment::{Fragment, Rgba, Source};
-use onionskin::papers::lindholm_2015::components::PP_DP;
-use onionskin::papers::lindholm_2015::fused::*;
-use onionskin::scene::Medium;
-use onionskin::steps::Amendment;
-use onionskin::steps::pseudo::Algorithm;
-use onionskin::steps::pseudo::list::{self, Beginning, Line, SegmentEnd, Test};
+use onionskin::low_level::emulator::RayHappening::{Begins, Blends, IsCast, Toggles};
+use onionskin::low_level::emulator::{RayRun, RayScene, RayVolume, run_on_rays};
+use onionskin::low_level::fragment::Source;
+use onionskin::low_level::papers::lindholm_2015::components::PP_DP;
+use onionskin::low_level::papers::lindholm_2015::fused::*;
+use onionskin::low_level::scene::Medium;
+use onionskin::low_level::steps::Amendment;
+use onionskin::low_level::steps::pseudo::Algorithm;
+use onionskin::low_level::steps::pseudo::list::{self, Beginning, Line, SegmentEnd, Test};
+use onionskin::{Fragment, Rgba};
 
 /// What two constant volumes look like.
 const FOGS: [(DVec3, f64); 2] = [

@@ -3,12 +3,12 @@
 
 use crate::kit::diff::diff;
 use crate::kit::stack;
-use onionskin::emulator::{ListRun, run_on_lists};
-use onionskin::fragment::{Fragment, Rgba};
-use onionskin::papers::lindholm_2015::components::*;
-use onionskin::steps::Amendment;
-use onionskin::steps::pseudo::Algorithm;
-use onionskin::steps::pseudo::list::{self, Counter, Line, Mark};
+use onionskin::low_level::emulator::{ListRun, run_on_lists};
+use onionskin::low_level::papers::lindholm_2015::components::*;
+use onionskin::low_level::steps::Amendment;
+use onionskin::low_level::steps::pseudo::Algorithm;
+use onionskin::low_level::steps::pseudo::list::{self, Counter, Line, Mark};
+use onionskin::{Fragment, Rgba};
 use proptest::prelude::*;
 use proptest::test_runner::TestError;
 

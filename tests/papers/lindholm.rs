@@ -1,13 +1,13 @@
 //! The claims about ppDP of Lindholm et al. 2015, by its pseudocode, run line by line on random and on all small lists.
 //! `papers/emulator_lists.rs` holds the pseudocode against the same rules in Rust.
 
-use onionskin::emulator::run_on_lists;
-use onionskin::fragment::{Fragment, Rgba};
-use onionskin::papers::lindholm_2015::components::{
+use onionskin::low_level::emulator::run_on_lists;
+use onionskin::low_level::papers::lindholm_2015::components::{
     AS_THE_TEXT_SAYS, PP_DP, PP_DP_AMENDMENTS, STOP,
 };
-use onionskin::steps::Amendment;
-use onionskin::steps::pseudo::list::Line;
+use onionskin::low_level::steps::Amendment;
+use onionskin::low_level::steps::pseudo::list::Line;
+use onionskin::{Fragment, Rgba};
 
 /// As printed, with a condition that ends it (erratum L3).
 const PRINTED: [Amendment<Line>; 1] = [STOP];

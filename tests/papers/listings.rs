@@ -1,12 +1,12 @@
 //! The listings as data: printed like the paper's, unrolled into calls, lowered to one depth unit. No GL.
 
 use crate::kit::diff::diff;
-use onionskin::papers::{everitt_2001, papers, vtk};
-use onionskin::steps::{
-    Amendment, Call, Compare, DepthUnits, Machine, Map, Objects, Query, Reason, Recorder, Text,
+use onionskin::low_level::papers::{everitt_2001, vtk};
+use onionskin::low_level::steps::{
+    Amendment, Call, Compare, DepthUnits, Machine, Map, Objects, Query, Reason, Recorder,
     Variables, free_variables, gl::*, print, run,
 };
-use onionskin::{Error, steps};
+use onionskin::{Error, Text, papers, steps};
 
 use crate::kit::changed::changed;
 use crate::kit::golden::assert_golden;

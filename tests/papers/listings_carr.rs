@@ -4,11 +4,9 @@
 //! query", semicolons of Algorithm 2. Arrows are written `<-`, and subscripts on the line.
 
 use crate::kit::diff::diff;
-use onionskin::papers::carr_2008::{coherent, hybrid, ideal, passes};
-use onionskin::papers::papers;
-use onionskin::steps;
-use onionskin::steps::pseudo;
-use onionskin::steps::{Amendment, Text, gl::*, print};
+use onionskin::low_level::papers::carr_2008::{coherent, hybrid, ideal, passes};
+use onionskin::low_level::steps::{Amendment, gl::*, print, pseudo};
+use onionskin::{Text, papers, steps};
 
 const PASSES: &str = include_str!("../transcripts/carr_passes.txt");
 const ALGORITHM_1: &str = include_str!("../transcripts/carr_algorithm_1.txt");

@@ -1,8 +1,7 @@
 //! Whatever the bytes, there is a scene or an error: no panic, and nothing but finite numbers.
 
 use crate::kit::scene::Folder;
-use onionskin::Error;
-use onionskin::scene::Scene;
+use onionskin::{Error, Scene};
 use proptest::prelude::*;
 
 /// A result as it should be: an error about the input, or a scene that can be drawn.

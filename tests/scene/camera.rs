@@ -2,7 +2,8 @@
 
 use crate::kit::scene::{obj, toml};
 use glam::{DVec3, Vec4Swizzles};
-use onionskin::scene::{Bounds, Camera, PartialCamera};
+use onionskin::Camera;
+use onionskin::low_level::scene::{Bounds, PartialCamera};
 use proptest::prelude::*;
 
 fn bounds(min: [f64; 3], max: [f64; 3]) -> Bounds {

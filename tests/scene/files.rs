@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use glam::DVec3;
-use onionskin::scene::{Mesh, Scene, Shading, Volume};
+use onionskin::{Mesh, Scene, Shading, Volume};
 
 fn load(name: &str) -> Scene {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/scenes");

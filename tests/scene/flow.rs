@@ -4,12 +4,11 @@ use std::collections::HashMap;
 use std::f64::consts::{PI, TAU};
 
 use glam::{DAffine3, DVec3};
-use onionskin::Scene;
-use onionskin::scene::generate::{
+use onionskin::generate::{
     Arrows, Ball, Flow, Isosurface, Lattice, Seeds, Streamlines, Swirl, arrows, ball, isosurface,
     runge_kutta, streamlines,
 };
-use onionskin::scene::{Mesh, Volume};
+use onionskin::{Mesh, Scene, Volume};
 use proptest::prelude::*;
 
 /// How often each directed edge is there, less how often the reverse is: nothing but zeros on a closed surface that is

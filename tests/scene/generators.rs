@@ -5,8 +5,8 @@ use std::f64::consts::TAU;
 use crate::kit::scene::measure::{edges, euler, unusable, worst_agreement};
 use crate::kit::scene::toml;
 use glam::{DVec3, Vec3};
-use onionskin::scene::generate::{Cone, Order, Plane, Quads, Slices, cone, plane, quads, slices};
-use onionskin::scene::{Mesh, Shading};
+use onionskin::generate::{Cone, Order, Plane, Quads, Slices, cone, plane, quads, slices};
+use onionskin::{Mesh, Shading};
 
 /// The z of each quad in the order of submission.
 fn depths(mesh: &Mesh) -> Vec<f64> {

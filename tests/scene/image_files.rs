@@ -5,8 +5,7 @@ use std::path::{Path, PathBuf};
 
 use exr::prelude::*;
 use flate2::{Compression, Crc, write::ZlibEncoder};
-use onionskin::fragment::Rgba;
-use onionskin::{Image, MemoryLimit};
+use onionskin::{Image, MemoryLimit, Rgba};
 use proptest::prelude::*;
 use tempfile::TempDir;
 
@@ -345,7 +344,10 @@ fn what_the_system_said_is_the_source_of_the_error() {
     let source = source.and_then(|source| source.downcast_ref::<std::io::Error>());
     let kind = source.map(std::io::Error::kind);
     assert_eq!(kind, Some(std::io::ErrorKind::NotFound));
-    let error =
-        onionskin::Error::input(onionskin::error::Place::file("a"), "it is empty", "fill it");
+    let error = onionskin::Error::input(
+        onionskin::low_level::error::Place::file("a"),
+        "it is empty",
+        "fill it",
+    );
     assert!(std::error::Error::source(&error).is_none());
 }

@@ -4,9 +4,8 @@
 use std::fmt::Write;
 
 use crate::kit::scene::{Folder, Refused, refused};
-use onionskin::MemoryLimit;
-use onionskin::scene::generate::{Quads, quads};
-use onionskin::scene::{Animation, LoadOptions, Mesh, Scene, Vertex};
+use onionskin::generate::{Quads, quads};
+use onionskin::{Animation, LoadOptions, MemoryLimit, Mesh, Scene, Vertex};
 
 /// What a vertex takes.
 const VERTEX: u64 = size_of::<Vertex>() as u64;

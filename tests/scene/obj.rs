@@ -3,8 +3,7 @@
 use crate::kit::scene::model::{CORNERS, colors, with_materials};
 use crate::kit::scene::{Folder, obj, obj_mesh, toml};
 use glam::{DVec3, Vec3};
-use onionskin::fragment::Rgba;
-use onionskin::scene::Mesh;
+use onionskin::{Mesh, Rgba};
 
 fn positions(mesh: &Mesh, triangle: usize) -> [Vec3; 3] {
     mesh.corners(triangle)

@@ -3,7 +3,7 @@
 use super::obj_materials::{color_of, said};
 use crate::kit::scene::model::{CORNERS, colors, of_material_a, with_materials};
 use crate::kit::scene::{Folder, obj};
-use onionskin::fragment::Rgba;
+use onionskin::Rgba;
 
 #[test]
 fn materials_may_come_from_several_files_in_one_line() {

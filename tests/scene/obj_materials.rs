@@ -2,8 +2,7 @@
 
 use crate::kit::scene::model::{CORNERS, colors, of_material_a, with_materials};
 use crate::kit::scene::{Folder, obj, obj_mesh};
-use onionskin::fragment::Rgba;
-use onionskin::scene::{Scene, Shading};
+use onionskin::{Rgba, Scene, Shading};
 
 /// Whether the scene has this notice.
 #[track_caller]

@@ -5,7 +5,7 @@ use std::fmt::Write;
 
 use crate::kit::scene::{obj, obj_mesh};
 use glam::{DVec2, DVec3};
-use onionskin::scene::Mesh;
+use onionskin::Mesh;
 use proptest::prelude::*;
 
 /// A model of one polygon.

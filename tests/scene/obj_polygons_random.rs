@@ -98,7 +98,7 @@ fn turned(outline: &[DVec2], axis: DVec3, angle: f64) -> Vec<[DVec2; 3]> {
         .map(|corner| turn * corner.extend(0.0))
         .collect();
     let scene = obj(model(&corners));
-    let back = |corner: onionskin::scene::Vertex| (turn.transpose() * corner.position).truncate();
+    let back = |corner: onionskin::Vertex| (turn.transpose() * corner.position).truncate();
     let meshes = scene.meshes.iter();
     let corners =
         meshes.flat_map(|mesh| (0..mesh.triangle_count()).map(|i| mesh.corners(i).map(back)));

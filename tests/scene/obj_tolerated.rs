@@ -4,8 +4,7 @@ use crate::kit;
 use crate::kit::scene::model::{CORNERS, colors};
 use crate::kit::scene::{obj, obj_mesh};
 use glam::Vec3;
-use onionskin::fragment::Rgba;
-use onionskin::scene::{Mesh, Scene};
+use onionskin::{Mesh, Rgba, Scene};
 
 /// Whether the scene has this notice.
 #[track_caller]

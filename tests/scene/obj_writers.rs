@@ -5,8 +5,7 @@ use std::fmt::Write;
 
 use crate::kit::scene::{Folder, obj};
 use glam::{DVec3, Vec3};
-use onionskin::fragment::Rgba;
-use onionskin::scene::Scene;
+use onionskin::{Rgba, Scene};
 use proptest::prelude::*;
 
 /// What a program makes of a model besides the model.

@@ -1,9 +1,8 @@
 //! Volumes between surfaces, by the oracle: closed forms for one ray, without OpenGL.
 
 use glam::{DAffine3, DMat3, DVec3};
-use onionskin::fragment::{Fragment, Rgba};
-use onionskin::oracle::volumes::{Ray, composite};
-use onionskin::scene::{Transfer, TransferPoint, Volume};
+use onionskin::low_level::oracle::volumes::{Ray, composite};
+use onionskin::{Fragment, Rgba, Transfer, TransferPoint, Volume};
 
 const WHITE: Rgba = Rgba::opaque([1.0; 3]);
 const BLACK: Rgba = Rgba::opaque([0.0; 3]);
@@ -325,7 +324,7 @@ fn l16_a_linear_colour_converges_with_the_square_of_the_step() {
 
 #[test]
 fn the_ray_of_a_pixel_goes_through_its_centre() {
-    let camera = onionskin::scene::Camera {
+    let camera = onionskin::Camera {
         eye: DVec3::Z * 5.0,
         target: DVec3::ZERO,
         up: DVec3::Y,

@@ -1,8 +1,7 @@
 //! Camera paths: where the eye is, what is shown, and what is refused.
 
 use glam::DVec3;
-use onionskin::Error;
-use onionskin::scene::Animation;
+use onionskin::{Animation, Error};
 
 const SCENE: &str = "size = [8, 8]\n[camera]\neye = [0, 0, 4]\ntarget = [0, 0, 0]\n\
                      [[mesh]]\ngenerate = \"quads\"\nname = \"sheets\"\n\

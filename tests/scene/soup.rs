@@ -2,7 +2,7 @@
 
 use crate::kit::scene::measure::unusable;
 use glam::DVec3;
-use onionskin::scene::generate::{MAX_TRIANGLES, Soup, TorusKnot, soup, torus_knot};
+use onionskin::generate::{MAX_TRIANGLES, Soup, TorusKnot, soup, torus_knot};
 
 /// The corners of seed 42's first triangle, as bits.
 const FIRST_SOUP: [[u32; 3]; 3] = [

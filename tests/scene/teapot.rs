@@ -4,8 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::kit::scene::toml;
 use glam::{DVec3, Vec3};
-use onionskin::scene::generate::{Teapot, teapot};
-use onionskin::scene::{Mesh, Vertex};
+use onionskin::generate::{Teapot, teapot};
+use onionskin::{Mesh, Vertex};
 
 fn pot(cells: u32) -> Mesh {
     teapot(&Teapot { cells }).expect("in range")

@@ -3,8 +3,7 @@
 use crate::kit::scene::square::{SQUARE, square};
 use crate::kit::scene::{Folder, refused, toml};
 use glam::DVec3;
-use onionskin::fragment::Rgba;
-use onionskin::scene::{Scene, Shading};
+use onionskin::{Rgba, Scene, Shading};
 
 #[test]
 fn every_key_of_the_top_is_read() {

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use crate::kit::scene::measure::{edges, euler, unusable, volume, worst_agreement};
 use glam::DVec3;
-use onionskin::scene::generate::{TorusKnot, torus_knot};
+use onionskin::generate::{TorusKnot, torus_knot};
 
 #[test]
 fn a_torus_knot_is_closed() {

@@ -3,9 +3,9 @@
 use crate::kit::scene::bad_toml;
 use crate::kit::volume::*;
 use glam::{DAffine3, DVec3};
-use onionskin::scene::generate::{Isosurface, isosurface};
-use onionskin::scene::{Medium, Transfer, Volume};
-use onionskin::{Error, Scene};
+use onionskin::generate::{Isosurface, isosurface};
+use onionskin::low_level::scene::Medium;
+use onionskin::{Error, Scene, Transfer, Volume};
 
 /// 4 x 3 x 2 samples, of which some are not numbers.
 fn file(bad: &[(usize, f32)]) -> Vec<u8> {
@@ -186,7 +186,7 @@ fn isosurfaces_end_where_it_is_empty() {
     for vertex in &half.vertices {
         assert!(all.contains(&vertex.position.to_array().map(f64::to_bits)));
     }
-    let count = |mesh: &onionskin::scene::Mesh| {
+    let count = |mesh: &onionskin::Mesh| {
         let right = |triangle: &&[u32; 3]| {
             triangle
                 .iter()

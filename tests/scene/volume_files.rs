@@ -2,7 +2,7 @@
 
 use crate::kit::volume::*;
 use glam::DVec3;
-use onionskin::scene::Volume;
+use onionskin::Volume;
 
 fn counting() -> Vec<f32> {
     (0..24).map(|i| i as f32).collect()

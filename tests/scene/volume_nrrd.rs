@@ -4,8 +4,7 @@ use crate::kit;
 use crate::kit::scene::refused;
 use crate::kit::volume::*;
 use glam::DVec3;
-use onionskin::Scene;
-use onionskin::scene::Volume;
+use onionskin::{Scene, Volume};
 
 fn counting() -> Vec<f32> {
     (0..24).map(|i| i as f32).collect()

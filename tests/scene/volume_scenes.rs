@@ -2,9 +2,8 @@
 
 use crate::kit::scene::{Refused, bad_toml, toml};
 use glam::DVec3;
-use onionskin::scene::generate::*;
-use onionskin::scene::{Transfer, TransferPoint, Volume};
-use onionskin::{Error, Result, Scene};
+use onionskin::generate::*;
+use onionskin::{Error, Result, Scene, Transfer, TransferPoint, Volume};
 
 const LOOK: &str = "transfer = [{ value = 0, color = [0, 0, 0], density = 0 }, { value = 2, color = [1, 0.5, 0], density = 3 }]";
 

@@ -3,7 +3,7 @@
 use crate::kit::scene::{Refused, refused};
 use crate::kit::volume::*;
 use glam::DVec3;
-use onionskin::scene::{Scene, Volume};
+use onionskin::{Scene, Volume};
 
 /// A file with this image element in it.
 fn file(kind: &str, image: &str) -> String {

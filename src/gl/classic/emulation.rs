@@ -25,7 +25,7 @@ const HILO: u32 = 14;
 
 /// What a machine keeps for classic calls.
 #[derive(Debug, Default)]
-pub(in crate::gl) struct Classic {
+pub(in crate::low_level::gl) struct Classic {
     /// Nothing before the first call of a frame.
     state: Option<ClassicState>,
     /// Rectangle textures; in a table of their own, because nothing draws into them.
@@ -37,16 +37,16 @@ pub(in crate::gl) struct Classic {
 
 /// What classic calls find in the machine around them.
 #[derive(Clone, Copy)]
-pub(in crate::gl) struct Around<'a, 'c> {
-    pub(in crate::gl) context: &'c Context,
-    pub(in crate::gl) maps: &'a Maps,
-    pub(in crate::gl) samplers: &'a Samplers,
-    pub(in crate::gl) geometry: Option<&'a Geometry<'c>>,
+pub(in crate::low_level::gl) struct Around<'a, 'c> {
+    pub(in crate::low_level::gl) context: &'c Context,
+    pub(in crate::low_level::gl) maps: &'a Maps,
+    pub(in crate::low_level::gl) samplers: &'a Samplers,
+    pub(in crate::low_level::gl) geometry: Option<&'a Geometry<'c>>,
 }
 
 impl Classic {
     /// Forgets what classic calls have set.
-    pub(in crate::gl) fn begin_frame(&mut self) {
+    pub(in crate::low_level::gl) fn begin_frame(&mut self) {
         self.state = None;
     }
 
@@ -70,7 +70,7 @@ impl Classic {
         Ok(self.state.insert(state))
     }
 
-    pub(in crate::gl) fn perform(
+    pub(in crate::low_level::gl) fn perform(
         &mut self,
         call: &ClassicCall,
         around: Around<'_, '_>,
@@ -132,7 +132,7 @@ impl Classic {
     }
 
     /// Gives a program of the classic state what it looks at.
-    pub(in crate::gl) fn prepare_draw(
+    pub(in crate::low_level::gl) fn prepare_draw(
         &mut self,
         linked: &ProgramSet,
         around: Around<'_, '_>,
@@ -247,7 +247,7 @@ impl Classic {
     }
 
     /// Lets go of what classic calls have made.
-    pub(in crate::gl) fn delete(&mut self, gl: &glow::Context) {
+    pub(in crate::low_level::gl) fn delete(&mut self, gl: &glow::Context) {
         // SAFETY: every object is the machine's own and leaves its tables here.
         unsafe {
             for (_, (raw, _)) in self.rectangles.drain() {

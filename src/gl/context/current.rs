@@ -14,7 +14,7 @@ thread_local! {
 
 /// Someone is away from the context that was current before, and back when this is dropped.
 #[derive(Default)]
-pub(in crate::gl) struct Away(Option<(Rc<dyn Current>, Before)>);
+pub(in crate::low_level::gl) struct Away(Option<(Rc<dyn Current>, Before)>);
 
 enum Before {
     /// A headless one.

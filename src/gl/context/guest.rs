@@ -63,7 +63,7 @@ impl Context {
     ///
     /// # Errors
     /// If it is not.
-    pub(in crate::gl) fn enter(&self) -> Result<Away> {
+    pub(in crate::low_level::gl) fn enter(&self) -> Result<Away> {
         if let Some(current) = &self.current {
             return current::enter(current).map_err(|answer| Error::Lost {
                 doing: "make the context current".into(),
@@ -76,7 +76,7 @@ impl Context {
 
     /// # Errors
     /// If it is someone else's, and known not to be current.
-    pub(in crate::gl) fn expect_current(&self) -> Result<()> {
+    pub(in crate::low_level::gl) fn expect_current(&self) -> Result<()> {
         if self.native.is_none_or(|native| native.is_current()) {
             return Ok(());
         }
@@ -93,7 +93,7 @@ impl Context {
     }
 
     /// Takes pending errors as someone else's.
-    pub(in crate::gl) fn note_foreign_errors(&self) {
+    pub(in crate::low_level::gl) fn note_foreign_errors(&self) {
         let errors = take_errors(&self.gl);
         let mut foreign = self.foreign.borrow_mut();
         // A host that never asks, and makes an error in each frame, is told of the last errors.
@@ -104,7 +104,7 @@ impl Context {
     }
 
     /// The same, unless a visit is going on, in which all errors are onionskin's own.
-    pub(in crate::gl) fn note_errors_outside_of_visits(&self) {
+    pub(in crate::low_level::gl) fn note_errors_outside_of_visits(&self) {
         if self.visits.get() == 0 {
             self.note_foreign_errors();
         }
@@ -114,7 +114,7 @@ impl Context {
     ///
     /// # Errors
     /// If it is someone else's, and not current.
-    pub(in crate::gl) fn begin_making(&self) -> Result<()> {
+    pub(in crate::low_level::gl) fn begin_making(&self) -> Result<()> {
         self.expect_current()?;
         // Makes it current, if it is onionskin's own.
         self.glow();
@@ -123,17 +123,17 @@ impl Context {
     }
 
     /// Whether onionskin has made the context.
-    pub(in crate::gl) fn is_own(&self) -> bool {
+    pub(in crate::low_level::gl) fn is_own(&self) -> bool {
         self.current.is_some()
     }
 
     /// Returns whether it is the first one.
-    pub(in crate::gl) fn begin_visit(&self) -> bool {
+    pub(in crate::low_level::gl) fn begin_visit(&self) -> bool {
         self.visits.set(self.visits.get() + 1);
         self.visits.get() == 1
     }
 
-    pub(in crate::gl) fn end_visit(&self) {
+    pub(in crate::low_level::gl) fn end_visit(&self) {
         self.visits.set(self.visits.get() - 1);
     }
 }

@@ -23,7 +23,7 @@ use crate::error::{Attempt, Error, Result};
 use crate::gl::driver::Driver;
 use crate::gl::more::More;
 
-pub(in crate::gl) use self::current::Away;
+pub(in crate::low_level::gl) use self::current::Away;
 pub use self::headless::Profile;
 pub use self::variables::suspect_variables;
 
@@ -119,7 +119,7 @@ impl Context {
 
     /// A function by its name, for those that glow does not have; null if there is none, or if the context is someone
     /// else's and it is not known whose.
-    pub(in crate::gl) fn function(&self, name: &str) -> *const std::ffi::c_void {
+    pub(in crate::low_level::gl) fn function(&self, name: &str) -> *const std::ffi::c_void {
         match (&self.current, &self.native) {
             (Some(current), _) => current.function(name),
             (None, Some(native)) => native.function(name),
@@ -128,7 +128,7 @@ impl Context {
     }
 
     /// The functions that glow does not have.
-    pub(in crate::gl) fn more(&self) -> &More {
+    pub(in crate::low_level::gl) fn more(&self) -> &More {
         self.more
             .get_or_init(|| More::load(&self.driver, |name| self.function(name)))
     }
@@ -146,7 +146,7 @@ impl Context {
     }
 
     /// Whether objects of the one are objects of the other.
-    pub(in crate::gl) fn is(&self, other: &Self) -> bool {
+    pub(in crate::low_level::gl) fn is(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.gl, &other.gl)
     }
 }

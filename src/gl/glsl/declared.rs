@@ -18,22 +18,22 @@ use crate::steps::Shader;
 
 /// What a fragment shader, its vertex shader and whatever they include declare.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(in crate::gl) struct Declared {
+pub(in crate::low_level::gl) struct Declared {
     /// The file of its vertex shader.
-    pub(in crate::gl) vertex: &'static str,
+    pub(in crate::low_level::gl) vertex: &'static str,
     /// It covers the screen, rather than to draw surfaces.
-    pub(in crate::gl) draws_screen: bool,
+    pub(in crate::low_level::gl) draws_screen: bool,
     /// It looks at what classic calls have set.
-    pub(in crate::gl) is_classic: bool,
+    pub(in crate::low_level::gl) is_classic: bool,
     /// It is compiled with the defines of the method that runs.
-    pub(in crate::gl) takes_defines: bool,
+    pub(in crate::low_level::gl) takes_defines: bool,
 }
 
 /// What a shader declares.
 ///
 /// # Errors
 /// There is no such shader.
-pub(in crate::gl) fn declared(Shader(name): Shader) -> Result<Declared> {
+pub(in crate::low_level::gl) fn declared(Shader(name): Shader) -> Result<Declared> {
     // Every shader's declarations, read once.
     static SHADERS: LazyLock<HashMap<&str, Declared>> = LazyLock::new(|| {
         let fragment = |(file, _): &(&'static str, _)| file.strip_suffix(".frag");

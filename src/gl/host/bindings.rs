@@ -5,7 +5,7 @@ use glow::HasContext;
 use super::super::context::Context;
 
 /// A machine binds textures to no unit from here on: 7 and one for each of 32 volumes.
-pub(in crate::gl) const UNITS: u32 = 40;
+pub(in crate::low_level::gl) const UNITS: u32 = 40;
 /// Shaders declare no storage block, image or uniform block from here on.
 const STORAGE_BLOCKS: u32 = 8;
 const IMAGES: u32 = 8;

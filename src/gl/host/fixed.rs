@@ -117,7 +117,7 @@ const STENCIL_NAMES: [[u32; 7]; 2] = [
 ];
 
 /// GL's initial state, as a fresh context has it, with a viewport of `size`. The context is current.
-pub(in crate::gl) fn known_state(context: &Context, size: [u32; 2]) {
+pub(in crate::low_level::gl) fn known_state(context: &Context, size: [u32; 2]) {
     let [width, height] = size;
     let stencil = Stencil {
         func: glow::ALWAYS,

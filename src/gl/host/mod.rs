@@ -14,5 +14,5 @@ mod visit;
 
 pub use visit::Visit;
 
-pub(in crate::gl) use bindings::UNITS;
-pub(in crate::gl) use fixed::known_state;
+pub(in crate::low_level::gl) use bindings::UNITS;
+pub(in crate::low_level::gl) use fixed::known_state;

@@ -12,7 +12,7 @@ use crate::steps::{Amendment, Variables, run};
 ///
 /// # Errors
 /// If the depth format has no stencil.
-pub(in crate::methods) fn expect_stencil(machine: &GlMachine<'_>) -> Result<()> {
+pub(in crate::low_level::methods) fn expect_stencil(machine: &GlMachine<'_>) -> Result<()> {
     let format = machine.format(stage::OPAQUE_DEPTH)?;
     if format.has_stencil() {
         return Ok(());

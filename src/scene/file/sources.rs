@@ -4,11 +4,11 @@ use std::ops::Range;
 
 /// One `[[mesh]]` or `[[volume]]`. A model's file may hold several meshes; a hidden volume is not in the scene.
 #[derive(Clone, Debug)]
-pub(in crate::scene) struct Source {
+pub(in crate::low_level::scene) struct Source {
     /// The name in the file.
-    pub(in crate::scene) name: Option<String>,
+    pub(in crate::low_level::scene) name: Option<String>,
     /// Its meshes, as a range of the scene's.
-    pub(in crate::scene) meshes: Range<usize>,
+    pub(in crate::low_level::scene) meshes: Range<usize>,
     /// Its volume, as a range of at most one of the scene's.
-    pub(in crate::scene) volumes: Range<usize>,
+    pub(in crate::low_level::scene) volumes: Range<usize>,
 }

@@ -4,7 +4,7 @@
 //! structs with defaults, so that a call names only what it changes:
 //!
 //! ```
-//! use onionskin::scene::generate::{Quads, quads};
+//! use onionskin::generate::{Quads, quads};
 //!
 //! let stack = quads(&Quads { count: 3, alpha: 0.25, ..Quads::default() })?;
 //! assert_eq!(stack.triangle_count(), 6);

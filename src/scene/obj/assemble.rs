@@ -9,9 +9,9 @@ use crate::scene::normals;
 /// The look that a scene file gives to a model. It takes precedence over materials, and vertex colours take precedence
 /// over it.
 #[derive(Clone, Copy, Debug, Default)]
-pub(in crate::scene) struct Paint {
-    pub(in crate::scene) color: Option<[f32; 3]>,
-    pub(in crate::scene) opacity: Option<f32>,
+pub(in crate::low_level::scene) struct Paint {
+    pub(in crate::low_level::scene) color: Option<[f32; 3]>,
+    pub(in crate::low_level::scene) opacity: Option<f32>,
 }
 
 /// The colour of meshes without a colour of their own.

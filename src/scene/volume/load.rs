@@ -43,7 +43,7 @@ const UNREAD: [(&str, &str, &str); 12] = [
 
 /// Reads a volume. What a header promises is first compared with the bytes of the file, so that nothing is allocated
 /// that the file's own size does not account for.
-pub(in crate::scene) fn load(path: &Path, wish: &Wish) -> Result<Loaded> {
+pub(in crate::low_level::scene) fn load(path: &Path, wish: &Wish) -> Result<Loaded> {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let name = name.to_ascii_lowercase();
     let ends = |ending: &str| name.ends_with(ending);

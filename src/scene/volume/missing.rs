@@ -4,7 +4,7 @@ use super::check::{EMPTY, LARGEST};
 
 /// The meaning of a sample that is NaN or infinite.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(in crate::scene) enum Missing {
+pub(in crate::low_level::scene) enum Missing {
     /// The sample is empty: the cells around it have no density.
     #[default]
     Empty,

@@ -14,20 +14,20 @@ use crate::scene::source::{self, stem};
 
 /// A volume, and a sentence for each thing that was assumed or left out while reading it.
 #[derive(Debug)]
-pub(in crate::scene) struct Loaded {
-    pub(in crate::scene) volume: Volume,
-    pub(in crate::scene) notices: Vec<String>,
+pub(in crate::low_level::scene) struct Loaded {
+    pub(in crate::low_level::scene) volume: Volume,
+    pub(in crate::low_level::scene) notices: Vec<String>,
 }
 
 /// The options of a reader.
 #[derive(Clone, Debug)]
-pub(in crate::scene) struct Wish<'a> {
+pub(in crate::low_level::scene) struct Wish<'a> {
     /// The name of the wanted array, for files with several.
-    pub(in crate::scene) array: Option<&'a str>,
+    pub(in crate::low_level::scene) array: Option<&'a str>,
     /// The meaning of samples that are not numbers.
-    pub(in crate::scene) missing: Missing,
+    pub(in crate::low_level::scene) missing: Missing,
     /// The memory that files and samples may take.
-    pub(in crate::scene) memory: &'a MemoryLimit,
+    pub(in crate::low_level::scene) memory: &'a MemoryLimit,
 }
 
 impl Wish<'_> {

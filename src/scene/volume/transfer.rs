@@ -110,7 +110,9 @@ impl Default for Transfer {
 }
 
 /// The first wrong point: its number from 1, what is wrong with it, and what to do.
-pub(in crate::scene) fn fault(points: &[TransferPoint]) -> Option<(usize, String, &'static str)> {
+pub(in crate::low_level::scene) fn fault(
+    points: &[TransferPoint],
+) -> Option<(usize, String, &'static str)> {
     if points.is_empty() {
         return Some((1, "is missing".into(), "Give at least one point."));
     }

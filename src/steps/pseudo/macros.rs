@@ -4,7 +4,7 @@
 /// `&'static [Line]`.
 ///
 /// ```
-/// use onionskin::steps::pseudo::*;
+/// use onionskin::low_level::steps::pseudo::*;
 /// const LINES: &[Line] = onionskin::pseudo! {
 ///     gChanged <- true;
 ///     while gChanged = true do {
@@ -19,7 +19,7 @@
 macro_rules! pseudo {
     ($($line:tt)*) => {
         {
-            const LINES: &[$crate::steps::pseudo::Line] = $crate::pseudo_lines!([] $($line)*);
+            const LINES: &[$crate::low_level::steps::pseudo::Line] = $crate::pseudo_lines!([] $($line)*);
             LINES
         }
     };
@@ -31,17 +31,17 @@ macro_rules! pseudo {
 macro_rules! pseudo_lines {
     ([$($done:expr,)*]) => { &[$($done,)*] };
     ([$($done:expr,)*] for all pixel sample locations do { $($body:tt)* } $($rest:tt)*) => {
-        $crate::pseudo_lines!([$($done,)* $crate::steps::pseudo::Line::Pixels($crate::pseudo!($($body)*)),] $($rest)*)
+        $crate::pseudo_lines!([$($done,)* $crate::low_level::steps::pseudo::Line::Pixels($crate::pseudo!($($body)*)),] $($rest)*)
     };
     ([$($done:expr,)*] for all $of:ident $phrase:literal do { $($body:tt)* } $($rest:tt)*) => {
-        $crate::pseudo_lines!([$($done,)* $crate::steps::pseudo::Line::Fragments {
-            of: $crate::steps::Objects::$of,
+        $crate::pseudo_lines!([$($done,)* $crate::low_level::steps::pseudo::Line::Fragments {
+            of: $crate::low_level::steps::Objects::$of,
             phrase: $phrase,
             body: $crate::pseudo!($($body)*),
         },] $($rest)*)
     };
     ([$($done:expr,)*] while $flag:ident = true do { $($body:tt)* } $($rest:tt)*) => {
-        $crate::pseudo_lines!([$($done,)* $crate::steps::pseudo::Line::While {
+        $crate::pseudo_lines!([$($done,)* $crate::low_level::steps::pseudo::Line::While {
             flag: stringify!($flag),
             body: $crate::pseudo!($($body)*),
         },] $($rest)*)
@@ -51,14 +51,14 @@ macro_rules! pseudo_lines {
         $crate::pseudo_lines!(@chain [$($done,)*] [$($test)*] [$($then)*] if $($rest)*)
     };
     ([$($done:expr,)*] if ($($test:tt)*) then { $($then:tt)* } else { $($otherwise:tt)* } $($rest:tt)*) => {
-        $crate::pseudo_lines!([$($done,)* $crate::steps::pseudo::Line::If {
+        $crate::pseudo_lines!([$($done,)* $crate::low_level::steps::pseudo::Line::If {
             test: $crate::pseudo_test!($($test)*),
             then: $crate::pseudo!($($then)*),
             otherwise: $crate::pseudo!($($otherwise)*),
         },] $($rest)*)
     };
     ([$($done:expr,)*] if ($($test:tt)*) then { $($then:tt)* } $($rest:tt)*) => {
-        $crate::pseudo_lines!([$($done,)* $crate::steps::pseudo::Line::If {
+        $crate::pseudo_lines!([$($done,)* $crate::low_level::steps::pseudo::Line::If {
             test: $crate::pseudo_test!($($test)*),
             then: $crate::pseudo!($($then)*),
             otherwise: &[],
@@ -67,7 +67,7 @@ macro_rules! pseudo_lines {
     (@chain [$($done:expr,)*] [$($test:tt)*] [$($then:tt)*]
         if ($($test_2:tt)*) then { $($then_2:tt)* } else if ($($test_3:tt)*) then { $($then_3:tt)* } else { $($otherwise:tt)* }
         $($rest:tt)*) => {
-        $crate::pseudo_lines!([$($done,)* $crate::steps::pseudo::Line::If {
+        $crate::pseudo_lines!([$($done,)* $crate::low_level::steps::pseudo::Line::If {
             test: $crate::pseudo_test!($($test)*),
             then: $crate::pseudo!($($then)*),
             otherwise: $crate::pseudo!(
@@ -77,7 +77,7 @@ macro_rules! pseudo_lines {
     };
     (@chain [$($done:expr,)*] [$($test:tt)*] [$($then:tt)*]
         if ($($test_2:tt)*) then { $($then_2:tt)* } else { $($otherwise:tt)* } $($rest:tt)*) => {
-        $crate::pseudo_lines!([$($done,)* $crate::steps::pseudo::Line::If {
+        $crate::pseudo_lines!([$($done,)* $crate::low_level::steps::pseudo::Line::If {
             test: $crate::pseudo_test!($($test)*),
             then: $crate::pseudo!($($then)*),
             otherwise: $crate::pseudo!(if ($($test_2)*) then { $($then_2)* } else { $($otherwise)* }),
@@ -85,40 +85,40 @@ macro_rules! pseudo_lines {
     };
     (@chain [$($done:expr,)*] [$($test:tt)*] [$($then:tt)*]
         if ($($test_2:tt)*) then { $($then_2:tt)* } $($rest:tt)*) => {
-        $crate::pseudo_lines!([$($done,)* $crate::steps::pseudo::Line::If {
+        $crate::pseudo_lines!([$($done,)* $crate::low_level::steps::pseudo::Line::If {
             test: $crate::pseudo_test!($($test)*),
             then: $crate::pseudo!($($then)*),
             otherwise: $crate::pseudo!(if ($($test_2)*) then { $($then_2)* }),
         },] $($rest)*)
     };
     ([$($done:expr,)*] composite; $($rest:tt)*) => {
-        $crate::pseudo_lines!([$($done,)* $crate::steps::pseudo::Line::Composite,] $($rest)*)
+        $crate::pseudo_lines!([$($done,)* $crate::low_level::steps::pseudo::Line::Composite,] $($rest)*)
     };
     ([$($done:expr,)*] swap($a:ident, $b:ident); $($rest:tt)*) => {
-        $crate::pseudo_lines!([$($done,)* $crate::steps::pseudo::Line::Swap(stringify!($a), stringify!($b)),] $($rest)*)
+        $crate::pseudo_lines!([$($done,)* $crate::low_level::steps::pseudo::Line::Swap(stringify!($a), stringify!($b)),] $($rest)*)
     };
     ([$($done:expr,)*] $variable:ident <- $flag:literal; $($rest:tt)*) => {
-        $crate::pseudo_lines!([$($done,)* $crate::steps::pseudo::Line::Set {
+        $crate::pseudo_lines!([$($done,)* $crate::low_level::steps::pseudo::Line::Set {
             variable: stringify!($variable),
-            value: $crate::steps::pseudo::Value::Flag($flag),
+            value: $crate::low_level::steps::pseudo::Value::Flag($flag),
         },] $($rest)*)
     };
     ([$($done:expr,)*] $variable:ident <- before zNear; $($rest:tt)*) => {
-        $crate::pseudo_lines!([$($done,)* $crate::steps::pseudo::Line::Set {
+        $crate::pseudo_lines!([$($done,)* $crate::low_level::steps::pseudo::Line::Set {
             variable: stringify!($variable),
-            value: $crate::steps::pseudo::Value::BeforeEverything,
+            value: $crate::low_level::steps::pseudo::Value::BeforeEverything,
         },] $($rest)*)
     };
     ([$($done:expr,)*] $variable:ident <- $a:ident if $flag:ident else $b:ident; $($rest:tt)*) => {
-        $crate::pseudo_lines!([$($done,)* $crate::steps::pseudo::Line::Set {
+        $crate::pseudo_lines!([$($done,)* $crate::low_level::steps::pseudo::Line::Set {
             variable: stringify!($variable),
-            value: $crate::steps::pseudo::Value::Either(stringify!($flag), stringify!($a), stringify!($b)),
+            value: $crate::low_level::steps::pseudo::Value::Either(stringify!($flag), stringify!($a), stringify!($b)),
         },] $($rest)*)
     };
     ([$($done:expr,)*] $variable:ident <- $value:ident; $($rest:tt)*) => {
-        $crate::pseudo_lines!([$($done,)* $crate::steps::pseudo::Line::Set {
+        $crate::pseudo_lines!([$($done,)* $crate::low_level::steps::pseudo::Line::Set {
             variable: stringify!($variable),
-            value: $crate::steps::pseudo::Value::Of(stringify!($value)),
+            value: $crate::low_level::steps::pseudo::Value::Of(stringify!($value)),
         },] $($rest)*)
     };
 }
@@ -127,47 +127,51 @@ macro_rules! pseudo_lines {
 #[macro_export]
 macro_rules! pseudo_test {
     ($flag:ident = true) => {
-        $crate::steps::pseudo::Test::Set(stringify!($flag))
+        $crate::low_level::steps::pseudo::Test::Set(stringify!($flag))
     };
     ($a:ident = $b:ident and $c:ident < $d:ident) => {
-        $crate::steps::pseudo::Test::Both(
+        $crate::low_level::steps::pseudo::Test::Both(
             (
                 stringify!($a),
-                $crate::steps::Compare::Equal,
+                $crate::low_level::steps::Compare::Equal,
                 stringify!($b),
             ),
-            (stringify!($c), $crate::steps::Compare::Less, stringify!($d)),
+            (
+                stringify!($c),
+                $crate::low_level::steps::Compare::Less,
+                stringify!($d),
+            ),
         )
     };
     ($a:ident = $b:ident) => {
-        $crate::steps::pseudo::Test::One(
+        $crate::low_level::steps::pseudo::Test::One(
             stringify!($a),
-            $crate::steps::Compare::Equal,
+            $crate::low_level::steps::Compare::Equal,
             stringify!($b),
         )
     };
     ($a:ident < $b:ident < $c:ident) => {
-        $crate::steps::pseudo::Test::Two(
+        $crate::low_level::steps::pseudo::Test::Two(
             stringify!($a),
-            $crate::steps::Compare::Less,
+            $crate::low_level::steps::Compare::Less,
             stringify!($b),
-            $crate::steps::Compare::Less,
+            $crate::low_level::steps::Compare::Less,
             stringify!($c),
         )
     };
     ($a:ident <= $b:ident < $c:ident) => {
-        $crate::steps::pseudo::Test::Two(
+        $crate::low_level::steps::pseudo::Test::Two(
             stringify!($a),
-            $crate::steps::Compare::Lequal,
+            $crate::low_level::steps::Compare::Lequal,
             stringify!($b),
-            $crate::steps::Compare::Less,
+            $crate::low_level::steps::Compare::Less,
             stringify!($c),
         )
     };
     ($a:ident < $b:ident) => {
-        $crate::steps::pseudo::Test::One(
+        $crate::low_level::steps::pseudo::Test::One(
             stringify!($a),
-            $crate::steps::Compare::Less,
+            $crate::low_level::steps::Compare::Less,
             stringify!($b),
         )
     };
@@ -177,7 +181,8 @@ macro_rules! pseudo_test {
 /// `&'static [list::Line]`.
 ///
 /// ```
-/// use onionskin::steps::pseudo::list::{Key, Line, Line::*, Test};
+/// use onionskin::low_level::steps::pseudo::list::{Key, Line, Test};
+/// use onionskin::low_level::steps::pseudo::list::Line::*;
 /// const LINES: &[Line] = onionskin::lists! {
 ///     foreach fragment f do {
 ///         if (depth <= min depth) then { skip f; } else { insert f by depth; }
@@ -191,7 +196,7 @@ macro_rules! lists {
     ($($line:tt)*) => {
         {
             #[allow(unused_imports)]
-            use $crate::steps::pseudo::list::{
+            use $crate::low_level::steps::pseudo::list::{
                 Beginning, Counter, Element, End, Key, Line, Mark, SegmentEnd, Start, Taken, Test,
             };
             const LINES: &[Line] = $crate::list_lines!([] $($line)*);

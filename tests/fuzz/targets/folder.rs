@@ -2,8 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use onionskin::MemoryLimit;
-use onionskin::scene::{LoadOptions, Scene};
+use onionskin::{LoadOptions, MemoryLimit, Scene};
 
 /// A folder of this process, which stays until the machine is restarted or it is removed.
 pub struct Folder(PathBuf);

@@ -2,8 +2,7 @@
 
 use std::collections::{BTreeSet, HashMap};
 
-use onionskin::Error;
-use onionskin::scene::Mesh;
+use onionskin::{Error, Mesh};
 
 /// How many triangles each edge between two places belongs to.
 pub fn edges(mesh: &Mesh) -> HashMap<[u32; 2], usize> {

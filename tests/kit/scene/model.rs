@@ -1,7 +1,6 @@
 //! OBJ models on the corners of a square, and their colours.
 
-use onionskin::fragment::Rgba;
-use onionskin::scene::{Mesh, Scene};
+use onionskin::{Mesh, Rgba, Scene};
 
 use super::Folder;
 

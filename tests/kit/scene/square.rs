@@ -1,6 +1,6 @@
 //! A scene file with one square.
 
-use onionskin::scene::Scene;
+use onionskin::Scene;
 
 use super::Folder;
 

@@ -49,7 +49,7 @@ impl Lattice {
 }
 
 /// The functions that every field has.
-pub(in crate::scene) trait Field {
+pub(in crate::low_level::scene) trait Field {
     /// Checks that every parameter is in its range. The lattice's parameters are checked elsewhere.
     fn check(&self) -> Result<(), Refusal>;
 
@@ -64,7 +64,7 @@ pub(in crate::scene) trait Field {
 }
 
 /// The memory that a field's samples take, in bytes, or an error if a parameter is out of its range.
-pub(in crate::scene) fn bytes(field: &dyn Field) -> Result<u64, Refusal> {
+pub(in crate::low_level::scene) fn bytes(field: &dyn Field) -> Result<u64, Refusal> {
     field.lattice().check()?;
     field.check()?;
     let samples = u64::from(field.lattice().samples).pow(3);
@@ -72,7 +72,7 @@ pub(in crate::scene) fn bytes(field: &dyn Field) -> Result<u64, Refusal> {
 }
 
 /// The sampled field, or an error if a parameter is out of its range.
-pub(in crate::scene) fn sampled(field: &dyn Field) -> Result<Volume, Refusal> {
+pub(in crate::low_level::scene) fn sampled(field: &dyn Field) -> Result<Volume, Refusal> {
     let room = bytes(field)? as usize / size_of::<f32>();
     let Lattice { size, samples } = field.lattice();
     let spacing = f64::from(size) / f64::from(samples - 1);
