@@ -2,7 +2,7 @@
 //!
 //! `cargo bench --bench carr`. The Stanford bunny takes part if `ONIONSKIN_BUNNY` names its scene file.
 
-use onionskin::generate::{Order, Slices, slices};
+use onionskin::generate::{Slices, SubmissionOrder, slices};
 use onionskin::options::{CoherentOptions, IdealOptions, TriangleSort, Variant};
 use onionskin::{Context, Method, Renderer, Result, Scene, Stats};
 
@@ -30,7 +30,7 @@ fn slices_and_cone(context: &Context) -> Result<()> {
             count,
             cells: 8,
             alpha: 12.8 / count as f32,
-            order: Order::FrontToBack,
+            order: SubmissionOrder::FrontToBack,
             ..Slices::default()
         })?;
         scene.meshes[0].sorted = true;

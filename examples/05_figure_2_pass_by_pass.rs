@@ -10,7 +10,7 @@
 //! `cargo run --example 05_figure_2_pass_by_pass [FOLDER]`
 
 use onionskin::generate::{Quads, quads};
-use onionskin::low_level::emulator::{Emulator, Group, Outcome, Record, Surface};
+use onionskin::low_level::emulator::{Emulator, FragmentOutcome, Group, Record, Surface};
 use onionskin::low_level::gl::{Geometry, GlMachine, capture};
 use onionskin::low_level::methods::{allocate_maps, begin_batch};
 use onionskin::low_level::papers::carr_2008::coherent::{
@@ -175,10 +175,10 @@ fn surfaces(gl: &mut GlMachine<'_>) -> Result<Vec<Surface>> {
 fn picture(record: &Record, from: usize) -> Image {
     let square = |outcome| {
         let color = match outcome {
-            Outcome::Discarded => [0.85; 3],
-            Outcome::StencilFail => [0.8, 0.2, 0.2],
-            Outcome::DepthFail => [0.95, 0.6, 0.15],
-            Outcome::Pass => [0.2, 0.65, 0.3],
+            FragmentOutcome::Discarded => [0.85; 3],
+            FragmentOutcome::StencilFail => [0.8, 0.2, 0.2],
+            FragmentOutcome::DepthFail => [0.95, 0.6, 0.15],
+            FragmentOutcome::Pass => [0.2, 0.65, 0.3],
         };
         Image::filled(44, 44, Rgba::opaque(color))
     };

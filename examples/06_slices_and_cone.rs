@@ -8,7 +8,7 @@
 //!
 //! `cargo run --example 06_slices_and_cone [FOLDER]`
 
-use onionskin::generate::{Order, Slices, slices};
+use onionskin::generate::{Slices, SubmissionOrder, slices};
 use onionskin::options::Variant;
 use onionskin::{Context, Method, Renderer, Scene};
 
@@ -60,7 +60,7 @@ fn scene(count: u32) -> onionskin::Result<Scene> {
         count,
         cells: 16,
         alpha: 12.8 / count as f32,
-        order: Order::FrontToBack,
+        order: SubmissionOrder::FrontToBack,
         ..Slices::default()
     })?;
     scene.meshes[0].sorted = true;

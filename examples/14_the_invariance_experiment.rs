@@ -11,11 +11,11 @@
 //!
 //! `cargo run --example 14_the_invariance_experiment [FOLDER]`
 
-use onionskin::generate::{Order, Quads, quads};
+use onionskin::generate::{Quads, SubmissionOrder, quads};
 use onionskin::low_level::methods::invariance::{
     Finding, Verdict, perspective_soup, run_experiment,
 };
-use onionskin::options::{DepthPeelingOptions, DepthSource, Experiment, Place};
+use onionskin::options::{Comparator, DepthPeelingOptions, DepthSource, Experiment};
 use onionskin::{Comparison, Context, Format, Image, Method, Renderer, Result, Rgba, Scene};
 
 #[path = "common/example.rs"]
@@ -70,9 +70,13 @@ fn stored_and_compared(context: &Context) -> Result<()> {
     }
     for (name, stored, compared) in SOURCES {
         for (format_name, format, bits) in formats {
-            let places = [Place::Sampler, Place::Shader, Place::ShaderInBits(bits)];
-            for place in places {
-                if format == D32F && place == Place::ShaderInBits(bits) {
+            let comparators = [
+                Comparator::Sampler,
+                Comparator::Shader,
+                Comparator::ShaderInBits(bits),
+            ];
+            for comparator in comparators {
+                if format == D32F && comparator == Comparator::ShaderInBits(bits) {
                     continue;
                 }
                 let mut cells = String::new();
@@ -80,25 +84,28 @@ fn stored_and_compared(context: &Context) -> Result<()> {
                     let experiment = Experiment {
                         stored,
                         compared,
-                        place,
+                        comparator,
                         bias: 0.0,
                     };
                     let finding = run_experiment(context, scene, exact, experiment, format)?;
                     let stuck = finding.count(Verdict::Stuck);
                     cells += &format!("{:>15}", format!("{} ({stuck})", finding.wrong()));
                 }
-                println!("{name:<22}{:<24}{format_name:<6}{cells}", place_name(place));
+                println!(
+                    "{name:<22}{:<24}{format_name:<6}{cells}",
+                    comparator_name(comparator)
+                );
             }
         }
     }
     Ok(())
 }
 
-fn place_name(place: Place) -> String {
-    match place {
-        Place::Sampler => "sampler".into(),
-        Place::Shader => "shader".into(),
-        Place::ShaderInBits(bits) => format!("shader, both in {bits} bits"),
+fn comparator_name(comparator: Comparator) -> String {
+    match comparator {
+        Comparator::Sampler => "sampler".into(),
+        Comparator::Shader => "shader".into(),
+        Comparator::ShaderInBits(bits) => format!("shader, both in {bits} bits"),
     }
 }
 
@@ -134,7 +141,7 @@ fn accumulators(context: &Context) -> Result<()> {
         let parameters = Quads {
             count,
             alpha: 0.02,
-            order: Order::Shuffled,
+            order: SubmissionOrder::Shuffled,
             ..Quads::default()
         };
         let mut scene = Scene::of("quads", vec![quads(&parameters)?]);

@@ -10,8 +10,8 @@ pub use ray::{RayEvent, RayHappening, RayRun, RayScene, RayVolume};
 
 use crate::error::{Error, Result};
 use crate::fragment::{Fragment, Source};
-use crate::steps::pseudo::Algorithm;
-use crate::steps::pseudo::list::{End, Key, Line, Taken, Test};
+use crate::steps::pseudo::Pseudocode;
+use crate::steps::pseudo::list::{End, Key, ListLine, ListTest, Taken};
 use crate::steps::{Amendment, Met, Scope};
 
 /// The result of an algorithm.
@@ -33,8 +33,8 @@ const FIRST_SEGMENT: u32 = 8;
 /// If the array has no element, if the first segment's array is larger, or if a line stands where it has nothing to
 /// work on.
 pub fn run_on_lists(
-    algorithm: &Algorithm<Line>,
-    amendments: &[Amendment<Line>],
+    algorithm: &Pseudocode<ListLine>,
+    amendments: &[Amendment<ListLine>],
     lists: &[Vec<Fragment>],
     array: u32,
     limit: u32,
@@ -50,8 +50,8 @@ pub fn run_on_lists(
 /// # Errors
 /// As [`run_on_lists`].
 pub fn run_on_rays(
-    algorithm: &Algorithm<Line>,
-    amendments: &[Amendment<Line>],
+    algorithm: &Pseudocode<ListLine>,
+    amendments: &[Amendment<ListLine>],
     pixels: &[(Vec<Fragment>, RayScene<'_>)],
     array: u32,
     limit: u32,
@@ -67,8 +67,8 @@ pub fn run_on_rays(
 }
 
 fn run_on_pixels<'a>(
-    algorithm: &Algorithm<Line>,
-    amendments: &[Amendment<Line>],
+    algorithm: &Pseudocode<ListLine>,
+    amendments: &[Amendment<ListLine>],
     pixels: Vec<Pixel<'a>>,
     array: u32,
     limit: u32,
@@ -90,7 +90,7 @@ fn run_on_pixels<'a>(
         fragment: None,
         size: array,
     };
-    if algorithm.lines.first() == Some(&Line::Input) {
+    if algorithm.lines.first() == Some(&ListLine::Input) {
         for pixel in 0..run.pixels.len() {
             run.resolve(pixel, algorithm, amendments, array)?;
         }
@@ -117,7 +117,12 @@ struct Here {
 }
 
 impl Run<'_> {
-    fn lines(&mut self, lines: &'static [Line], scope: Scope<'_, Line>, here: Here) -> Result<()> {
+    fn lines(
+        &mut self,
+        lines: &'static [ListLine],
+        scope: Scope<'_, ListLine>,
+        here: Here,
+    ) -> Result<()> {
         for met in scope.walk(lines) {
             if let Met::Statement(line, scope) = met {
                 self.line(line, scope, here)?;
@@ -126,14 +131,19 @@ impl Run<'_> {
         Ok(())
     }
 
-    fn line(&mut self, line: &'static Line, scope: Scope<'_, Line>, here: Here) -> Result<()> {
+    fn line(
+        &mut self,
+        line: &'static ListLine,
+        scope: Scope<'_, ListLine>,
+        here: Here,
+    ) -> Result<()> {
         match *line {
-            Line::Pixels(body) => self.each_pixel(body, scope, here, |_| true),
-            Line::UnresolvedPixels(body) => {
+            ListLine::Pixels(body) => self.each_pixel(body, scope, here, |_| true),
+            ListLine::UnresolvedPixels(body) => {
                 self.each_pixel(body, scope, here, |pixel| !pixel.marked)
             }
-            Line::Segments(body) => self.segments(body, scope, here),
-            Line::Fragments(body) => {
+            ListLine::Segments(body) => self.segments(body, scope, here),
+            ListLine::Fragments(body) => {
                 let pixel = self.pixel(here, line)?;
                 pixel.done.subpasses += 1;
                 for &fragment in pixel.list {
@@ -143,70 +153,70 @@ impl Run<'_> {
                 }
                 Ok(())
             }
-            Line::Sorted(body) => {
+            ListLine::Sorted(body) => {
                 let pixel = self.pixel(here, line)?;
                 pixel.done.subpasses += 1;
                 pixel.done.records_read += pixel.list.len() as u32;
                 let fragments = pixel.sorted();
                 self.resolve_each(fragments, body, scope, here)
             }
-            Line::Elements(body) => {
+            ListLine::Elements(body) => {
                 let fragments = self.peel(here, line)?.resolve(Taken::All);
                 self.resolve_each(fragments, body, scope, here)
             }
-            Line::Repeat(body) => self.repeat(body, scope, here),
-            Line::If(test, then, otherwise) => {
+            ListLine::Repeat(body) => self.repeat(body, scope, here),
+            ListLine::If(test, then, otherwise) => {
                 let holds = self.holds(test, here, line)?;
                 self.lines(if holds { then } else { otherwise }, scope, here)
             }
-            Line::Run(algorithm, its_amendments) => {
+            ListLine::Run(algorithm, its_amendments) => {
                 let pixel = here.pixel.ok_or_else(|| misplaced(line))?;
                 self.resolve(pixel, algorithm, its_amendments, here.size)
             }
-            Line::Until(_) => Err(misplaced(line)),
+            ListLine::Until(_) => Err(misplaced(line)),
             _ => self.statement(line, here),
         }
     }
 
     /// Runs a statement that has no others inside.
-    fn statement(&mut self, line: &Line, here: Here) -> Result<()> {
+    fn statement(&mut self, line: &ListLine, here: Here) -> Result<()> {
         match *line {
             // There is nothing to do here. The list exists, the size chooses the program, no volume has a state, and a
             // fragment that is not inserted is skipped.
-            Line::Input
-            | Line::Note(_)
-            | Line::ActivateProgram
-            | Line::SizeOfLocalArray
-            | Line::InitializeState
-            | Line::Skip => {}
-            Line::Count(counter) => self.pixel(here, line)?.count(counter),
-            Line::Mark(mark) => self.pixel(here, line)?.mark(mark, here.size),
-            Line::ResolveSegment => self.pixel(here, line)?.resolve_statically(here.size),
-            Line::CreateBuffer => self.pixel(here, line)?.peel = Some(Peel::new(here.size)),
-            Line::SetMin(start) => self.peel(here, line)?.start(start),
-            Line::Insert(key) => {
+            ListLine::Input
+            | ListLine::Note(_)
+            | ListLine::ActivateProgram
+            | ListLine::SizeOfLocalArray
+            | ListLine::InitializeState
+            | ListLine::Skip => {}
+            ListLine::Count(counter) => self.pixel(here, line)?.count(counter),
+            ListLine::Mark(mark) => self.pixel(here, line)?.mark(mark, here.size),
+            ListLine::ResolveSegment => self.pixel(here, line)?.resolve_statically(here.size),
+            ListLine::CreateBuffer => self.pixel(here, line)?.peel = Some(Peel::new(here.size)),
+            ListLine::SetMin(start) => self.peel(here, line)?.start(start),
+            ListLine::Insert(key) => {
                 let fragment = here.fragment.ok_or_else(|| misplaced(line))?;
                 self.peel(here, line)?.insert(fragment, key);
             }
-            Line::ResolveBuffer(taken) => {
+            ListLine::ResolveBuffer(taken) => {
                 let taken = self.peel(here, line)?.resolve(taken);
                 let taken = taken.iter().map(|fragment| fragment.order);
                 self.pixel(here, line)?.done.composited.extend(taken);
             }
-            Line::Store(key, element) => self.peel(here, line)?.store(key, element),
-            Line::ClearBuffer => self.peel(here, line)?.buffer.clear(),
-            Line::BeginRay(beginning) => {
+            ListLine::Store(key, element) => self.peel(here, line)?.store(key, element),
+            ListLine::ClearBuffer => self.peel(here, line)?.buffer.clear(),
+            ListLine::BeginRay(beginning) => {
                 let pixel = self.pixel(here, line)?;
                 let ray = pixel.ray.as_mut().ok_or_else(|| misplaced(line))?;
                 ray.begin(beginning, pixel.list);
             }
-            Line::Cast(_) | Line::Toggle | Line::Blend => {
+            ListLine::Cast(_) | ListLine::Toggle | ListLine::Blend => {
                 let f = here.fragment.ok_or_else(|| misplaced(line))?;
                 let ray = self.pixel(here, line)?.ray.as_mut();
                 let ray = ray.ok_or_else(|| misplaced(line))?;
                 match *line {
-                    Line::Cast(end) => ray.cast(end, f),
-                    Line::Toggle => ray.toggle(f),
+                    ListLine::Cast(end) => ray.cast(end, f),
+                    ListLine::Toggle => ray.toggle(f),
                     _ => ray.blend(f),
                 }
             }
@@ -217,8 +227,8 @@ impl Run<'_> {
 
     fn each_pixel(
         &mut self,
-        body: &'static [Line],
-        scope: Scope<'_, Line>,
+        body: &'static [ListLine],
+        scope: Scope<'_, ListLine>,
         here: Here,
         among: impl Fn(&Pixel<'_>) -> bool,
     ) -> Result<()> {
@@ -235,12 +245,12 @@ impl Run<'_> {
     fn resolve_each(
         &mut self,
         fragments: Vec<Fragment>,
-        body: &'static [Line],
-        scope: Scope<'_, Line>,
+        body: &'static [ListLine],
+        scope: Scope<'_, ListLine>,
         here: Here,
     ) -> Result<()> {
         for fragment in fragments {
-            self.pixel(here, &Line::Blend)?
+            self.pixel(here, &ListLine::Blend)?
                 .done
                 .composited
                 .push(fragment.order);
@@ -252,8 +262,8 @@ impl Run<'_> {
 
     fn segments(
         &mut self,
-        body: &'static [Line],
-        scope: Scope<'_, Line>,
+        body: &'static [ListLine],
+        scope: Scope<'_, ListLine>,
         here: Here,
     ) -> Result<()> {
         if self.array < FIRST_SEGMENT {
@@ -274,21 +284,26 @@ impl Run<'_> {
     }
 
     /// The loop's end is its last line.
-    fn repeat(&mut self, body: &'static [Line], scope: Scope<'_, Line>, here: Here) -> Result<()> {
+    fn repeat(
+        &mut self,
+        body: &'static [ListLine],
+        scope: Scope<'_, ListLine>,
+        here: Here,
+    ) -> Result<()> {
         for _ in 0..self.limit {
-            self.peel(here, &Line::Repeat(body))?.dropped = false;
+            self.peel(here, &ListLine::Repeat(body))?.dropped = false;
             let mut until = None;
             for met in scope.walk(body) {
                 match met {
                     Met::Statement(line, _) if until.is_some() => return Err(misplaced(line)),
-                    Met::Statement(Line::Until(end), _) => until = Some(*end),
+                    Met::Statement(ListLine::Until(end), _) => until = Some(*end),
                     Met::Statement(line, scope) => self.line(line, scope, here)?,
                     Met::Amendment(_) => {}
                 }
             }
-            let end = until.ok_or_else(|| misplaced(&Line::Repeat(body)))?;
-            let count = self.pixel(here, &Line::Until(end))?.list.len();
-            let peel = self.peel(here, &Line::Until(end))?;
+            let end = until.ok_or_else(|| misplaced(&ListLine::Repeat(body)))?;
+            let count = self.pixel(here, &ListLine::Until(end))?.list.len();
+            let peel = self.peel(here, &ListLine::Until(end))?;
             if match end {
                 End::AllResolved => peel.resolved == count,
                 End::NothingDropped => !peel.dropped,
@@ -304,8 +319,8 @@ impl Run<'_> {
     fn resolve(
         &mut self,
         pixel: usize,
-        algorithm: &Algorithm<Line>,
-        amendments: &[Amendment<Line>],
+        algorithm: &Pseudocode<ListLine>,
+        amendments: &[Amendment<ListLine>],
         size: u32,
     ) -> Result<()> {
         self.pixels[pixel].begin_resolve(size);
@@ -317,15 +332,15 @@ impl Run<'_> {
         self.lines(algorithm.lines, Scope::of(amendments), here)
     }
 
-    fn holds(&mut self, test: Test, here: Here, line: &Line) -> Result<bool> {
+    fn holds(&mut self, test: ListTest, here: Here, line: &ListLine) -> Result<bool> {
         let (size, last) = (here.size, here.size > self.array / 2);
-        if let Test::NotBehindMin(key) = test {
+        if let ListTest::NotBehindMin(key) = test {
             let f = here.fragment.ok_or_else(|| misplaced(line))?;
             let (min_depth, min_id) = self.peel(here, line)?.min;
             let tie = f.depth == min_depth && (key == Key::Depth || i64::from(f.order) <= min_id);
             return Ok(f.depth < min_depth || tie);
         }
-        if test == Test::IsProxy {
+        if test == ListTest::IsProxy {
             let f = here.fragment.ok_or_else(|| misplaced(line))?;
             return Ok(matches!(Source::of(f.order), Source::Proxy { .. }));
         }
@@ -333,10 +348,12 @@ impl Run<'_> {
         let complexity = pixel.complexity;
         let before = if size == FIRST_SEGMENT { 0 } else { size / 2 };
         Ok(match test {
-            Test::StencilFitsSegment => u32::from(pixel.stencil) <= size.min(255),
-            Test::InSegment => before < complexity && (complexity <= size || last),
-            Test::Overflows => complexity > size,
-            Test::FitsSegment | Test::NotBehindMin(_) | Test::IsProxy => complexity <= size,
+            ListTest::StencilFitsSegment => u32::from(pixel.stencil) <= size.min(255),
+            ListTest::InSegment => before < complexity && (complexity <= size || last),
+            ListTest::Overflows => complexity > size,
+            ListTest::FitsSegment | ListTest::NotBehindMin(_) | ListTest::IsProxy => {
+                complexity <= size
+            }
         })
     }
 }
@@ -349,18 +366,18 @@ impl<'a> Run<'a> {
         }
     }
 
-    fn pixel(&mut self, here: Here, line: &Line) -> Result<&mut Pixel<'a>> {
+    fn pixel(&mut self, here: Here, line: &ListLine) -> Result<&mut Pixel<'a>> {
         let pixel = here.pixel.ok_or_else(|| misplaced(line))?;
         Ok(&mut self.pixels[pixel])
     }
 
-    fn peel(&mut self, here: Here, line: &Line) -> Result<&mut Peel> {
+    fn peel(&mut self, here: Here, line: &ListLine) -> Result<&mut Peel> {
         let peel = self.pixel(here, line)?.peel.as_mut();
         peel.ok_or_else(|| misplaced(line))
     }
 }
 
-fn misplaced(line: &Line) -> Error {
+fn misplaced(line: &ListLine) -> Error {
     Error::usage(
         format!("there is nothing for '{line}' to work on"),
         "it stands outside of its loop, or before its buffer is created",

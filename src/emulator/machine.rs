@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::place::{Attached, Place, Plane, texel, write_masked};
-use super::record::{Draw, Fate, Outcome, Record};
+use super::record::{Draw, Fate, FragmentOutcome, Record};
 use super::shaders::{Inputs, twin};
 use super::state::State;
 use super::{color, depth};
@@ -215,14 +215,14 @@ impl Emulator {
                 let mut place = Place::at(&self.planes, attached, pixel);
                 let before = place;
                 let outcome = match shader(&inputs) {
-                    None => Outcome::Discarded,
+                    None => FragmentOutcome::Discarded,
                     Some(kept) => {
                         let z = kept.depth.unwrap_or(surface.fragment.depth);
                         place.send(&self.state, z, kept.color)
                     }
                 };
                 place.write(&mut self.planes, attached, pixel);
-                if outcome == Outcome::Pass {
+                if outcome == FragmentOutcome::Pass {
                     if let Some(query) = self.counting {
                         *self.queries.entry(query).or_default() += 1;
                     }

@@ -32,4 +32,4 @@ pub use lists::{
 };
 pub use machine::{Emulator, Group, Surface};
 pub use pseudo::{AlgorithmRun, run_algorithm};
-pub use record::{Draw, Fate, Outcome, Record};
+pub use record::{Draw, Fate, FragmentOutcome, Record};

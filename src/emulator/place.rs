@@ -1,6 +1,6 @@
 //! Maps, and one pixel of a framebuffer: the values that a fragment finds there, and those that it leaves.
 
-use super::record::Outcome;
+use super::record::FragmentOutcome;
 use super::stages;
 use super::state::State;
 use super::{color, depth};
@@ -70,7 +70,7 @@ impl Place {
     }
 
     /// Sends a fragment through the stages.
-    pub(super) fn send(&mut self, state: &State, z: f32, source: [f32; 4]) -> Outcome {
+    pub(super) fn send(&mut self, state: &State, z: f32, source: [f32; 4]) -> FragmentOutcome {
         let stencil_test = state
             .stencil_test
             .filter(|_| self.depth_format.is_some_and(Format::has_stencil));
@@ -82,7 +82,7 @@ impl Place {
         // Stencil test.
         if stencil_test.is_some_and(|test| !stages::stencil_test(&test, stencil)) {
             self.stencil = stencil_after(state.stencil_ops.sfail);
-            return Outcome::StencilFail;
+            return FragmentOutcome::StencilFail;
         }
         // Depth test.
         let depth_test = state.depth_test && self.depth_format.is_some();
@@ -91,7 +91,7 @@ impl Place {
             .map_or(z, |format| depth::stored(format, z));
         if depth_test && !state.depth_func.holds(z, self.depth) {
             self.stencil = stencil_after(state.stencil_ops.dpfail);
-            return Outcome::DepthFail;
+            return FragmentOutcome::DepthFail;
         }
         self.stencil = stencil_after(state.stencil_ops.dppass);
         // Writing. Without a depth test, nothing is written to the depth buffer.
@@ -107,7 +107,7 @@ impl Place {
             let new = new.map(|channel| color::stored(format, channel));
             write_masked(&mut self.color, new, state.color_mask);
         }
-        Outcome::Pass
+        FragmentOutcome::Pass
     }
 
     pub(super) fn write(self, planes: &mut [Plane], attached: Attached, pixel: usize) {

@@ -3,7 +3,7 @@
 use super::machine::{Group, Surface};
 use crate::error::{Error, Result};
 use crate::fragment::Fragment;
-use crate::steps::pseudo::{Algorithm, Line, Test, Value};
+use crate::steps::pseudo::{Line, Pseudocode, Test, Value};
 use crate::steps::{Amendment, Compare, Met, Scope};
 
 /// The result of an algorithm.
@@ -26,7 +26,7 @@ pub struct AlgorithmRun {
 /// # Errors
 /// If the algorithm reads a variable that it has not set.
 pub fn run_algorithm(
-    algorithm: &Algorithm,
+    algorithm: &Pseudocode,
     amendments: &[Amendment<Line>],
     pixels: &[Vec<Surface>],
     limit: u32,

@@ -4,7 +4,7 @@ use std::fmt;
 
 /// The stage at which a fragment ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Outcome {
+pub enum FragmentOutcome {
     /// The shader discarded it.
     Discarded,
     /// It failed the stencil test.
@@ -23,7 +23,7 @@ pub struct Fate {
     /// The fragment's depth.
     pub depth: f32,
     /// The stage at which it ended.
-    pub outcome: Outcome,
+    pub outcome: FragmentOutcome,
     /// The pixel's stencil value before and after it.
     pub stencil: [u8; 2],
     /// The pixel's stored depth before and after it (the raw integer, if the format has fixed point).
@@ -52,7 +52,7 @@ pub struct Record {
 
 impl Draw {
     /// The places in the order of submission of the fragments that ended so.
-    pub fn with(&self, outcome: Outcome) -> Vec<u32> {
+    pub fn with(&self, outcome: FragmentOutcome) -> Vec<u32> {
         let ended_so = |fate: &&Fate| fate.outcome == outcome;
         self.fates
             .iter()
@@ -62,7 +62,7 @@ impl Draw {
     }
 }
 
-impl fmt::Display for Outcome {
+impl fmt::Display for FragmentOutcome {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(match self {
             Self::Discarded => "clipped",

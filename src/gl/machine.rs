@@ -135,16 +135,16 @@ impl<'c> GlMachine<'c> {
         expect_no_error(self.context.glow(), when)
     }
 
-    /// What the programs whose shaders ask for it (`// defines: method`) are compiled with from now on: names and values
-    /// that their source sees as `#define`s.
-    pub fn set_constants(&mut self, defines: &[Define]) {
+    /// Sets the `#define`s, names and values, of programs that are used from now on. Only shaders that ask for them
+    /// (`// defines: method`) have them.
+    pub fn set_defines(&mut self, defines: &[Define]) {
         self.programs.defines = defines.to_vec();
     }
 
-    /// Has surfaces tested, stored and compared by 1/w instead of window-space depth from now on, with the near plane at
-    /// this distance; by window-space depth if none is given. What is stored then is explained in
-    /// `glsl/common/fragment_depth.glsl`. It takes depth maps in 32-bit float. Classic calls and the shaders of the
-    /// invariance experiment know nothing of it.
+    /// Has surfaces tested, stored and compared by 1/w from now on, with the near plane at this distance. With `None`
+    /// they are tested, stored and compared by window-space depth. `glsl/common/fragment_depth.glsl` explains the stored
+    /// value. Depth maps must be in 32-bit float. Classic calls and the shaders of the invariance experiment go by
+    /// window-space depth all the same.
     pub fn set_inverse_w(&mut self, near: Option<f32>) {
         self.programs.inverse_w = near.map(f32::to_bits);
     }

@@ -28,8 +28,8 @@ pub struct Experiment {
     pub stored: DepthSource,
     /// The depth that is compared with it.
     pub compared: DepthSource,
-    /// The place of the comparison.
-    pub place: Place,
+    /// What compares them.
+    pub comparator: Comparator,
     /// A fragment is peeled away unless it lies behind the stored depth by more than this: the 'fudge factor'.
     pub bias: f32,
 }
@@ -44,15 +44,15 @@ pub enum DepthSource {
     Quotient,
 }
 
-/// The place at which depths are compared.
+/// What compares two depths.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Place {
+pub enum Comparator {
     /// `GL_TEXTURE_COMPARE_FUNC`
     #[default]
     Sampler,
-    /// The shader, as 32-bit floats.
+    /// The shader, which compares 32-bit floats.
     Shader,
-    /// The shader, with both sides rounded to a fixed-point depth of so many bits, at most 24.
+    /// The shader, which rounds both sides to a fixed-point depth of so many bits, at most 24.
     ShaderInBits(u32),
 }
 
@@ -98,14 +98,14 @@ impl DepthUnit0 {
 
 impl Experiment {
     fn variables(&self, variables: Variables) -> Variables {
-        let steps = match self.place {
-            Place::ShaderInBits(bits) => f64::from((1_u32 << bits.min(24)) - 1),
+        let steps = match self.comparator {
+            Comparator::ShaderInBits(bits) => f64::from((1_u32 << bits.min(24)) - 1),
             _ => 0.0,
         };
         let flag = |flag| if flag { 1.0 } else { 0.0 };
         variables
             .with("quotient", flag(self.compared == DepthSource::Quotient))
-            .with("in_shader", flag(self.place != Place::Sampler))
+            .with("in_shader", flag(self.comparator != Comparator::Sampler))
             .with("steps", steps)
             .with("bias", f64::from(self.bias))
             .with("depth_test", 0.0)

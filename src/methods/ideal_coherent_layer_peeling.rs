@@ -84,7 +84,7 @@ impl Algorithm for IdealCoherentLayerPeeling {
     fn prepare(&mut self, machine: &mut GlMachine<'_>, _: &Scene) -> Result<()> {
         self.by_images = self.by_images(machine)?;
         self.peeled.prepare(machine)?;
-        machine.set_constants(if self.by_images {
+        machine.set_defines(if self.by_images {
             &[("IMAGES", 1)]
         } else {
             &[]

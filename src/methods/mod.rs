@@ -41,7 +41,7 @@ macro_rules! declare {
         /// structs do without it.
         pub mod options {
             $(pub use crate::methods::$file::*;)*
-            pub use crate::methods::depth_unit_0::{DepthSource, DepthUnit0, Experiment, Place};
+            pub use crate::methods::depth_unit_0::{DepthSource, DepthUnit0, Experiment, Comparator};
             pub use crate::methods::sorting::TriangleSort;
         }
     };

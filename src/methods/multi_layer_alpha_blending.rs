@@ -59,7 +59,7 @@ impl Algorithm for MultiLayerAlphaBlending {
                     .into(),
             });
         }
-        machine.set_constants(&[("NODES", self.options.nodes as u32)]);
+        machine.set_defines(&[("NODES", self.options.nodes as u32)]);
         let resources = match self.options.nodes {
             Nodes::Four => &RESOURCES_OF_FOUR,
             Nodes::Eight => &RESOURCES_OF_EIGHT,

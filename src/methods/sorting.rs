@@ -155,9 +155,9 @@ fn in_buckets(scene: &Scene, meshes: &[u32], count: u32) -> Vec<Vec<[u32; 2]>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::generate::{Order, Quads, quads};
+    use crate::scene::generate::{Quads, SubmissionOrder, quads};
 
-    fn stack(order: Order) -> Scene {
+    fn stack(order: SubmissionOrder) -> Scene {
         let parameters = Quads {
             count: 9,
             order,
@@ -172,7 +172,11 @@ mod tests {
 
     #[test]
     fn enough_buckets_sort_a_stack_whatever_its_order() {
-        for order in [Order::FrontToBack, Order::BackToFront, Order::Shuffled] {
+        for order in [
+            SubmissionOrder::FrontToBack,
+            SubmissionOrder::BackToFront,
+            SubmissionOrder::Shuffled,
+        ] {
             let scene = stack(order);
             assert!(is_sorted(&scene, &TriangleSort::Buckets(64).order(&scene)));
         }
@@ -180,7 +184,7 @@ mod tests {
 
     #[test]
     fn reversed_buckets_are_as_unsorted_as_can_be() {
-        let scene = stack(Order::FrontToBack);
+        let scene = stack(SubmissionOrder::FrontToBack);
         let mut order = TriangleSort::Reversed(64).order(&scene);
         assert!(!is_sorted(&scene, &order));
         order.reverse();
@@ -189,7 +193,7 @@ mod tests {
 
     #[test]
     fn one_bucket_sorts_nothing() {
-        let scene = stack(Order::BackToFront);
+        let scene = stack(SubmissionOrder::BackToFront);
         let order = TriangleSort::Buckets(1).order(&scene);
         assert_eq!(order, TriangleSort::Submission.order(&scene));
         assert!(!is_sorted(&scene, &order));
@@ -197,7 +201,7 @@ mod tests {
 
     #[test]
     fn every_triangle_is_submitted_once_whatever_the_sorting() {
-        let scene = stack(Order::Shuffled);
+        let scene = stack(SubmissionOrder::Shuffled);
         for sorting in [
             TriangleSort::Submission,
             TriangleSort::Objects,
@@ -211,7 +215,7 @@ mod tests {
 
     #[test]
     fn the_nearest_object_comes_first() {
-        let near = stack(Order::FrontToBack).meshes.remove(0);
+        let near = stack(SubmissionOrder::FrontToBack).meshes.remove(0);
         let mut far = near.clone();
         for vertex in &mut far.vertices {
             vertex.position.z -= 5.0;

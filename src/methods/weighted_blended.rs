@@ -51,7 +51,7 @@ struct WeightedBlended {
 
 impl Algorithm for WeightedBlended {
     fn prepare(&mut self, machine: &mut GlMachine<'_>, _: &Scene) -> Result<()> {
-        machine.set_constants(&[("EQUATION", self.options.weight as u32)]);
+        machine.set_defines(&[("EQUATION", self.options.weight as u32)]);
         allocate_maps(machine, &[&RESOURCES], self.setup.color, self.setup.depth)
     }
 

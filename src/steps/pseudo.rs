@@ -1,6 +1,6 @@
 //! Algorithms that a paper prints as pseudocode rather than as calls, line by line.
 //!
-//! Where a [`Listing`](super::Listing) sets a pipeline's state, an [`Algorithm`] says what happens at each pixel and to
+//! Where a [`Listing`](super::Listing) sets a pipeline's state, a [`Pseudocode`] says what happens at each pixel and to
 //! each fragment: Carr et al.'s Algorithms 1 and 2. The emulator runs it as it stands. OpenGL runs a listing that
 //! stands beside it in `papers/`, and tests compare the two.
 //!
@@ -18,9 +18,9 @@ use super::amend::{Met, Scope, Statement};
 use super::constants::{Compare, Objects};
 use super::listing::Amendment;
 
-/// An algorithm as its paper prints it, in statements that are [`Line`]s, or another paper's [`list::Line`]s.
+/// An algorithm as its paper prints it, in statements that are [`Line`]s, or another paper's [`list::ListLine`]s.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Algorithm<L: 'static = Line> {
+pub struct Pseudocode<L: 'static = Line> {
     /// Its name.
     pub title: &'static str,
     /// Where it is printed.
@@ -117,7 +117,7 @@ pub enum Test {
 
 /// The algorithm as its paper prints it, with numbered lines and with `amendments` applied. Without any amendment, it
 /// is as printed.
-pub fn print(algorithm: &Algorithm, amendments: &[Amendment<Line>]) -> String {
+pub fn print(algorithm: &Pseudocode, amendments: &[Amendment<Line>]) -> String {
     let mut printer = Printer {
         number: 0,
         text: String::new(),

@@ -3,7 +3,7 @@
 use super::amend::Statement;
 use super::listing::{Amendment, Listing};
 use super::print;
-use super::pseudo::{self, Algorithm, list};
+use super::pseudo::{self, Pseudocode, list};
 
 /// A text that a paper prints under one title, with the amendments that correct it.
 #[derive(Clone, Copy, Debug)]
@@ -11,9 +11,12 @@ pub enum Text {
     /// A listing of calls.
     Listing(Listing, &'static [Amendment]),
     /// Pseudocode on fragments as they are rasterised.
-    Pseudocode(Algorithm, &'static [Amendment<pseudo::Line>]),
+    Pseudocode(Pseudocode, &'static [Amendment<pseudo::Line>]),
     /// Pseudocode on lists of fragments.
-    Lists(Algorithm<list::Line>, &'static [Amendment<list::Line>]),
+    Lists(
+        Pseudocode<list::ListLine>,
+        &'static [Amendment<list::ListLine>],
+    ),
 }
 
 impl Text {

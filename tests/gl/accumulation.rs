@@ -1,6 +1,6 @@
 //! How exact compositing is, and how many layers are enough (E12, E13).
 
-use onionskin::generate::{Order, Quads, quads};
+use onionskin::generate::{Quads, SubmissionOrder, quads};
 use onionskin::options::DepthPeelingOptions;
 use onionskin::{Comparison, Context, Format, Frame, Method, Renderer, Scene};
 
@@ -89,7 +89,7 @@ fn quad_scene(count: u32) -> Scene {
     let parameters = Quads {
         count,
         alpha: 0.02,
-        order: Order::Shuffled,
+        order: SubmissionOrder::Shuffled,
         ..Quads::default()
     };
     let mut scene = Scene::of("quads", vec![quads(&parameters).unwrap()]);

@@ -5,7 +5,7 @@ use crate::kit::bounds::F32;
 use crate::kit::carr_scenes::{HYBRID, LAYERS, error, ideal};
 use crate::kit::render::{example, render};
 use crate::kit::stack;
-use onionskin::generate::{Order, Slices, Soup, slices, soup};
+use onionskin::generate::{Slices, Soup, SubmissionOrder, slices, soup};
 use onionskin::low_level::steps::Reason;
 use onionskin::options::{CoherentOptions, TriangleSort, Variant};
 use onionskin::{Comparison, Context, Method, Scene};
@@ -109,7 +109,7 @@ fn figure_1(count: u32) -> Scene {
         size: 2.0,
         cells: 1,
         alpha: 0.02,
-        order: Order::FrontToBack,
+        order: SubmissionOrder::FrontToBack,
         ..Slices::default()
     };
     let mut volume = slices(&parameters).unwrap();

@@ -10,7 +10,7 @@ use crate::kit::everitt_scenes::{
 };
 use crate::kit::lists::Lists;
 use crate::kit::stack;
-use onionskin::generate::{Order, Quads, quads};
+use onionskin::generate::{Quads, SubmissionOrder, quads};
 use onionskin::options::DepthPeelingOptions;
 use onionskin::{Comparison, Context, Layer, Method, Scene};
 
@@ -52,8 +52,8 @@ fn e01_blending_is_right_where_the_order_happens_to_be() {
             .unwrap()
             .max
     };
-    assert!(error(Order::BackToFront) <= F32);
-    assert!(error(Order::FrontToBack) > VISIBLE);
+    assert!(error(SubmissionOrder::BackToFront) <= F32);
+    assert!(error(SubmissionOrder::FrontToBack) > VISIBLE);
 }
 
 #[test]

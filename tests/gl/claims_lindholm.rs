@@ -1,7 +1,7 @@
 //! The claims of Lindholm et al. 2015 about depth complexity, the Fill Step and global memory, L01 to L08, each under its
 //! key. `gl/claims_lindholm_resolve.rs` has the others that need no volume, `gl/a_buffer.rs` L21.
 
-use onionskin::generate::{Order, TorusKnot, torus_knot};
+use onionskin::generate::{SubmissionOrder, TorusKnot, torus_knot};
 use onionskin::options::{ABufferOptions, Fill, Manager};
 use onionskin::{Context, CountBy, Renderer, Scene};
 
@@ -179,7 +179,7 @@ fn l07_a_record_has_16_bytes() {
 #[test]
 fn l08_a_layer_of_a_fixed_buffer_takes_12_6_megabytes_which_are_12_mebibytes() {
     let context = Context::headless().unwrap();
-    let mut scene = sheets(3, Order::BackToFront);
+    let mut scene = sheets(3, SubmissionOrder::BackToFront);
     scene.size = [1024, 768];
     let mut renderer = Renderer::new(&context, 1024, 768).unwrap();
     let fixed = ABufferOptions {

@@ -2,7 +2,7 @@
 //! when ppAO and ppDP are run as printed.
 
 use crate::kit::bounds::F32;
-use onionskin::generate::Order;
+use onionskin::generate::SubmissionOrder;
 use onionskin::options::ABufferOptions;
 use onionskin::{Comparison, Context, CountBy, Method, Renderer};
 
@@ -250,7 +250,7 @@ fn l14_pp_ao_and_pp_dp_together_give_the_exact_image_too() {
 #[test]
 fn l15_early_ray_termination_errs_by_less_than_its_threshold_and_saves_work() {
     let context = Context::headless().unwrap();
-    let mut scene = sheets(64, Order::Shuffled);
+    let mut scene = sheets(64, SubmissionOrder::Shuffled);
     scene.size = [64, 48];
     for vertex in &mut scene.meshes[0].vertices {
         vertex.color.a = 0.3;
@@ -285,7 +285,7 @@ fn l15_early_ray_termination_errs_by_less_than_its_threshold_and_saves_work() {
 #[test]
 fn l18_sixty_four_quads_cost_what_figure_7_says_they_must() {
     let context = Context::headless().unwrap();
-    let mut scene = sheets(64, Order::Shuffled);
+    let mut scene = sheets(64, SubmissionOrder::Shuffled);
     scene.size = [64, 48];
     let mut renderer = Renderer::new(&context, 64, 48).unwrap();
     let exact = renderer.render(&scene, &Method::Exact).unwrap();

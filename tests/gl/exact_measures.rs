@@ -5,7 +5,7 @@ use crate::kit::cast;
 use crate::kit::exact_scenes::{depth_bound, error, looking_down_z, render, soup_scene};
 use crate::kit::lists::{Lists, captured, sorted, ties};
 use glam::{DVec3, Vec3};
-use onionskin::generate::{Order, Quads, quads};
+use onionskin::generate::{Quads, SubmissionOrder, quads};
 use onionskin::options::{Compositing, DepthPeelingOptions};
 use onionskin::{Context, Format, Mesh, Method, Renderer, Rgba, Scene, Vertex};
 
@@ -132,7 +132,7 @@ fn coarser_colors_are_off_by_their_own_steps_and_a_pixel_s_layers() {
 fn shuffled_sheets() -> Mesh {
     quads(&Quads {
         count: 12,
-        order: Order::Shuffled,
+        order: SubmissionOrder::Shuffled,
         seed: 3,
         ..Quads::default()
     })

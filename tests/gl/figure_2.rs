@@ -4,7 +4,7 @@ use crate::kit::lockstep;
 use crate::kit::peels;
 use crate::kit::stack;
 use onionskin::low_level::emulator::Emulator;
-use onionskin::low_level::emulator::Outcome::*;
+use onionskin::low_level::emulator::FragmentOutcome::*;
 use onionskin::low_level::gl::{Geometry, GlMachine};
 use onionskin::low_level::papers::carr_2008::coherent::{self, LOOP_A};
 use onionskin::low_level::papers::carr_2008::{

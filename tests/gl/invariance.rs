@@ -8,7 +8,8 @@ use onionskin::low_level::methods::invariance::{
 };
 use onionskin::low_level::steps::Reason;
 use onionskin::options::{
-    CoplanarDepthPeelingOptions, DepthPeelingOptions, DepthSource, DepthUnit0, Experiment, Place,
+    Comparator, CoplanarDepthPeelingOptions, DepthPeelingOptions, DepthSource, DepthUnit0,
+    Experiment,
 };
 use onionskin::{Comparison, Context, Format, Frame, Image, Method, Renderer, Scene};
 
@@ -23,7 +24,7 @@ const SIZE: [u32; 2] = [128, 128];
 const WINDOW_Z: Experiment = Experiment {
     stored: DepthSource::WindowZ,
     compared: DepthSource::WindowZ,
-    place: Place::Sampler,
+    comparator: Comparator::Sampler,
     bias: 0.0,
 };
 const MIXED: Experiment = Experiment {
@@ -40,8 +41,14 @@ const REPLACED: Experiment = Experiment {
 fn e06_comparing_r_over_q_with_the_rasterisers_depth_mis_peels() {
     let study = Study::new(100.0);
     let covered = study.covered();
-    for place in [Place::Sampler, Place::Shader] {
-        let finding = study.run_experiment(Experiment { place, ..MIXED }, D32F);
+    for comparator in [Comparator::Sampler, Comparator::Shader] {
+        let finding = study.run_experiment(
+            Experiment {
+                comparator,
+                ..MIXED
+            },
+            D32F,
+        );
         report("r/q against window z", &finding);
         // Not a pixel here and there.
         assert!(finding.wrong() > covered / 2);
@@ -52,8 +59,15 @@ fn e06_comparing_r_over_q_with_the_rasterisers_depth_mis_peels() {
 #[test]
 fn e06_window_z_compared_in_the_shader_and_in_the_sampler_give_the_same_image() {
     let study = Study::new(100.0);
-    let [sampler, shader] = [Place::Sampler, Place::Shader]
-        .map(|place| study.run_experiment(Experiment { place, ..WINDOW_Z }, D32F));
+    let [sampler, shader] = [Comparator::Sampler, Comparator::Shader].map(|comparator| {
+        study.run_experiment(
+            Experiment {
+                comparator,
+                ..WINDOW_Z
+            },
+            D32F,
+        )
+    });
     assert!(sampler.image == shader.image);
     assert_eq!(sampler.pixels, shader.pixels);
     // And it is the image of the method without any experiment.
@@ -143,30 +157,30 @@ fn e07_on_24_bits_the_sampler_compares_what_was_not_rounded_and_the_loop_gets_st
     // rounded down lies behind itself. Rounding both sides first is the cure.
     let study = Study::new(100.0);
     for experiment in [WINDOW_Z, REPLACED] {
-        for place in [Place::Sampler, Place::Shader] {
+        for comparator in [Comparator::Sampler, Comparator::Shader] {
             let finding = study.run_experiment(
                 Experiment {
-                    place,
+                    comparator,
                     ..experiment
                 },
                 D24,
             );
             report(
-                &format!("D24, {:?}, {place:?}", experiment.stored),
+                &format!("D24, {:?}, {comparator:?}", experiment.stored),
                 &finding,
             );
             assert!(!finding.ended && finding.count(Verdict::Stuck) > 0);
         }
-        let place = Place::ShaderInBits(24);
+        let comparator = Comparator::ShaderInBits(24);
         let finding = study.run_experiment(
             Experiment {
-                place,
+                comparator,
                 ..experiment
             },
             D24,
         );
         report(
-            &format!("D24, {:?}, {place:?}", experiment.stored),
+            &format!("D24, {:?}, {comparator:?}", experiment.stored),
             &finding,
         );
         assert!(finding.ended);
@@ -250,7 +264,7 @@ fn e09_8_and_16_bits_are_not_enough_and_24_are() {
     let study = Study::new(10_000.0);
     for bits in [8, 16, 24] {
         let experiment = Experiment {
-            place: Place::ShaderInBits(bits),
+            comparator: Comparator::ShaderInBits(bits),
             ..WINDOW_Z
         };
         let finding = study.run_experiment(experiment, D32F);
@@ -275,14 +289,26 @@ fn e09_8_and_16_bits_are_not_enough_and_24_are() {
 #[test]
 fn e09_a_16_bit_depth_buffer_loses_what_shares_a_step() {
     let study = Study::new(100.0);
-    let place = Place::ShaderInBits(16);
-    let finding = study.run_experiment(Experiment { place, ..WINDOW_Z }, D16);
+    let comparator = Comparator::ShaderInBits(16);
+    let finding = study.run_experiment(
+        Experiment {
+            comparator,
+            ..WINDOW_Z
+        },
+        D16,
+    );
     report("D16", &finding);
     assert!(finding.ended && finding.missing > 0);
     assert_eq!(finding.doubled, 0);
     // The greater the ratio of far to near, the less 16 bits are.
     let far = Study::new(10_000.0);
-    let finding_far = far.run_experiment(Experiment { place, ..WINDOW_Z }, D16);
+    let finding_far = far.run_experiment(
+        Experiment {
+            comparator,
+            ..WINDOW_Z
+        },
+        D16,
+    );
     report("D16, ratio 10000", &finding_far);
     let part =
         |finding: &Finding, study: &Study| finding.missing as f64 / study.lists.count() as f64;

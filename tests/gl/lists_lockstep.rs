@@ -8,8 +8,8 @@ use std::cell::{Cell, RefCell};
 use onionskin::low_level::emulator::{ListRun, run_on_lists};
 use onionskin::low_level::papers::lindholm_2015::components::*;
 use onionskin::low_level::steps::Amendment;
-use onionskin::low_level::steps::pseudo::Algorithm;
-use onionskin::low_level::steps::pseudo::list::{Counter, Line, Mark};
+use onionskin::low_level::steps::pseudo::Pseudocode;
+use onionskin::low_level::steps::pseudo::list::{Counter, ListLine, Mark};
 use onionskin::options::{ABufferOptions, Keep, Manager, RecordColor};
 use onionskin::{Comparison, Context, Fragment, Image, Method, Renderer};
 use proptest::test_runner::{TestCaseError, TestError};
@@ -21,8 +21,8 @@ use crate::kit::stack::{Stack, fragments, runner, stacks};
 /// The same on both sides.
 struct Twins {
     name: &'static str,
-    algorithm: Algorithm<Line>,
-    amendments: Vec<Amendment<Line>>,
+    algorithm: Pseudocode<ListLine>,
+    amendments: Vec<Amendment<ListLine>>,
     options: ABufferOptions,
 }
 

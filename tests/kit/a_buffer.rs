@@ -1,6 +1,6 @@
 //! What the tests of A-buffers on OpenGL have in common.
 
-use onionskin::generate::{Order, Quads, Soup, quads, soup};
+use onionskin::generate::{Quads, Soup, SubmissionOrder, quads, soup};
 use onionskin::low_level::methods::ABufferCounts;
 use onionskin::options::{ABufferOptions, ArraySort, Manager, RecordColor};
 use onionskin::{Camera, Frame, Method, Renderer, Scene};
@@ -61,7 +61,7 @@ pub fn soup_scene(seed: u64) -> Scene {
 }
 
 /// Figure 7's quads, each over the whole view.
-pub fn sheets(count: u32, order: Order) -> Scene {
+pub fn sheets(count: u32, order: SubmissionOrder) -> Scene {
     let parameters = Quads {
         count,
         size: [40.0, 30.0],

@@ -5,8 +5,8 @@ use onionskin::low_level::fragment::Source;
 use onionskin::low_level::oracle::volumes::Ray;
 use onionskin::low_level::papers::stage;
 use onionskin::low_level::scene::Medium;
-use onionskin::low_level::steps::pseudo::Algorithm;
-use onionskin::low_level::steps::pseudo::list::Line;
+use onionskin::low_level::steps::pseudo::Pseudocode;
+use onionskin::low_level::steps::pseudo::list::ListLine;
 use onionskin::low_level::steps::{Amendment, Variables, run};
 use onionskin::options::{ABufferOptions, Manager, RecordColor};
 use onionskin::{Context, Fragment, Frame, Image, Mesh, Method, Renderer, Rgba, Scene, Volume};
@@ -75,8 +75,8 @@ impl<'s> Pixels<'s> {
     /// The emulated image, and of all pixels subpasses, records read and fragments that were not composited.
     pub fn emulate(
         &self,
-        algorithm: &Algorithm<Line>,
-        amendments: &[Amendment<Line>],
+        algorithm: &Pseudocode<ListLine>,
+        amendments: &[Amendment<ListLine>],
         array: u32,
     ) -> (Image, [u64; 3]) {
         let [width, height] = self.scene.size;

@@ -2,13 +2,13 @@
 
 use onionskin::low_level::papers::lindholm_2015::components::by_stencil;
 use onionskin::low_level::steps::Amendment;
-use onionskin::low_level::steps::pseudo::list::{Counter, Line, Mark, Test};
+use onionskin::low_level::steps::pseudo::list::{Counter, ListLine, ListTest, Mark};
 
 /// Section 6.2 with this counter and this mark.
-pub fn stencil(counter: Counter, mark: Mark) -> [Amendment<Line>; 2] {
-    let resolve = vec![Line::ResolveSegment, Line::Mark(mark)].leak();
-    let masked = vec![Line::If(Test::StencilFitsSegment, resolve, &[])].leak();
-    by_stencil(vec![Line::Count(counter)].leak(), masked)
+pub fn stencil(counter: Counter, mark: Mark) -> [Amendment<ListLine>; 2] {
+    let resolve = vec![ListLine::ResolveSegment, ListLine::Mark(mark)].leak();
+    let masked = vec![ListLine::If(ListTest::StencilFitsSegment, resolve, &[])].leak();
+    by_stencil(vec![ListLine::Count(counter)].leak(), masked)
 }
 
 /// How often a pixel of this complexity is resolved by the segments 8, 16 ... `max`.

@@ -1,7 +1,7 @@
 //! Figure 2 of Carr et al. (2008), value by value on the emulated pixel, and section 4's definitions held against what
 //! the passes find.
 
-use onionskin::low_level::emulator::Outcome::*;
+use onionskin::low_level::emulator::FragmentOutcome::*;
 use onionskin::low_level::emulator::{Draw, Emulator};
 use onionskin::low_level::methods::begin_batch;
 use onionskin::low_level::papers::carr_2008::coherent::{

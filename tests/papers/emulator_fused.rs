@@ -9,8 +9,8 @@ use onionskin::low_level::papers::lindholm_2015::components::PP_DP;
 use onionskin::low_level::papers::lindholm_2015::fused::*;
 use onionskin::low_level::scene::Medium;
 use onionskin::low_level::steps::Amendment;
-use onionskin::low_level::steps::pseudo::Algorithm;
-use onionskin::low_level::steps::pseudo::list::{self, Beginning, Line, SegmentEnd, Test};
+use onionskin::low_level::steps::pseudo::Pseudocode;
+use onionskin::low_level::steps::pseudo::list::{self, Beginning, ListLine, ListTest, SegmentEnd};
 use onionskin::{Fragment, Rgba};
 
 /// What two constant volumes look like.
@@ -124,8 +124,8 @@ impl Case {
 
     fn run(
         &self,
-        algorithm: &Algorithm<Line>,
-        amendments: &[Amendment<Line>],
+        algorithm: &Pseudocode<ListLine>,
+        amendments: &[Amendment<ListLine>],
         array: u32,
     ) -> RayRun {
         let media = FOGS.map(|(color, density)| move |_| Medium { color, density });
@@ -146,8 +146,8 @@ impl Case {
     /// Whether the light is what it should be, to the roundings of f64.
     fn comes_out(
         &self,
-        algorithm: &Algorithm<Line>,
-        amendments: &[Amendment<Line>],
+        algorithm: &Pseudocode<ListLine>,
+        amendments: &[Amendment<ListLine>],
         array: u32,
     ) -> bool {
         let run = self.run(algorithm, amendments, array);
@@ -223,14 +223,14 @@ fn l16_without_the_opaque_surface_a_ray_goes_on_behind_it() {
 /// counted again; only lists that fit into the buffer come out.
 #[test]
 fn l17_a_state_that_is_not_kept_loses_what_subpasses_share() {
-    const EVALUATION: [Line; 2] = [
-        Line::Cast(SegmentEnd::FragmentOrOpaque),
-        Line::If(Test::IsProxy, &[Line::Toggle], &[Line::Blend]),
+    const EVALUATION: [ListLine; 2] = [
+        ListLine::Cast(SegmentEnd::FragmentOrOpaque),
+        ListLine::If(ListTest::IsProxy, &[ListLine::Toggle], &[ListLine::Blend]),
     ];
     let mut amendments = FUSED_PP_DP;
     amendments[5].amended = &[
-        Line::BeginRay(Beginning::WhatIsOnlyLeft),
-        Line::Elements(&EVALUATION),
+        ListLine::BeginRay(Beginning::WhatIsOnlyLeft),
+        ListLine::Elements(&EVALUATION),
     ];
     let wrong = |array| {
         let cases = cases().into_iter();
@@ -245,9 +245,13 @@ fn l17_a_state_that_is_not_kept_loses_what_subpasses_share() {
 /// The toggle dropped, or turned the other way round.
 #[test]
 fn l16_a_toggle_that_is_left_out_is_noticed() {
-    const NO_TOGGLE: Amendment<Line> = Amendment {
-        printed: &[Line::If(Test::IsProxy, &[Line::Toggle], &[Line::Blend])],
-        amended: &[Line::If(Test::IsProxy, &[], &[Line::Blend])],
+    const NO_TOGGLE: Amendment<ListLine> = Amendment {
+        printed: &[ListLine::If(
+            ListTest::IsProxy,
+            &[ListLine::Toggle],
+            &[ListLine::Blend],
+        )],
+        amended: &[ListLine::If(ListTest::IsProxy, &[], &[ListLine::Blend])],
         ..END_AT_OPAQUE
     };
     let [begin, end] = FUSED_AMENDMENTS;

@@ -6,8 +6,8 @@ use crate::kit::stack;
 use onionskin::low_level::emulator::{ListRun, run_on_lists};
 use onionskin::low_level::papers::lindholm_2015::components::*;
 use onionskin::low_level::steps::Amendment;
-use onionskin::low_level::steps::pseudo::Algorithm;
-use onionskin::low_level::steps::pseudo::list::{self, Counter, Line, Mark};
+use onionskin::low_level::steps::pseudo::Pseudocode;
+use onionskin::low_level::steps::pseudo::list::{self, Counter, ListLine, Mark};
 use onionskin::{Fragment, Rgba};
 use proptest::prelude::*;
 use proptest::test_runner::TestError;
@@ -16,9 +16,9 @@ use crate::kit::masks::{stencil, times_resolved};
 use crate::kit::pp_dp::{Rule, peel};
 
 /// Printed, with a condition that ends it (erratum L3).
-const PRINTED: [Amendment<Line>; 1] = [STOP];
+const PRINTED: [Amendment<ListLine>; 1] = [STOP];
 /// The text beside the pseudocode, likewise.
-const TEXT: [Amendment<Line>; 2] = [AS_THE_TEXT_SAYS, STOP];
+const TEXT: [Amendment<ListLine>; 2] = [AS_THE_TEXT_SAYS, STOP];
 
 /// More subpasses than any list here needs.
 const ENOUGH: u32 = 100;
@@ -33,8 +33,8 @@ fn list(depths: &[u32]) -> Vec<Fragment> {
 }
 
 fn run(
-    algorithm: &Algorithm<Line>,
-    amendments: &[Amendment<Line>],
+    algorithm: &Pseudocode<ListLine>,
+    amendments: &[Amendment<ListLine>],
     lists: &[Vec<Fragment>],
     array: u32,
 ) -> ListRun {
@@ -400,7 +400,7 @@ fn l11_eight_bits_send_what_is_past_255_to_the_wrong_segment() {
 
 #[test]
 fn lines_out_of_place_are_refused_and_nothing_panics() {
-    let algorithm = |lines| Algorithm {
+    let algorithm = |lines| Pseudocode {
         title: "nothing",
         source: "here",
         lines,
@@ -409,10 +409,10 @@ fn lines_out_of_place_are_refused_and_nothing_panics() {
         let run = run_on_lists(&algorithm(lines), &[], &[list(&[1])], array, ENOUGH);
         run.unwrap_err().to_string()
     };
-    assert!(refused(&[Line::ResolveSegment], 8).contains("resolve segment"));
-    assert!(refused(&[Line::Input, Line::ClearBuffer], 8).contains("clear buffer"));
-    assert!(refused(&[Line::Input, Line::Repeat(&[])], 8).contains("repeat"));
-    assert!(refused(&[Line::Until(list::End::AllResolved)], 8).contains("until"));
-    assert!(refused(&[Line::Segments(&[])], 7).contains("last segment cannot be 7"));
+    assert!(refused(&[ListLine::ResolveSegment], 8).contains("resolve segment"));
+    assert!(refused(&[ListLine::Input, ListLine::ClearBuffer], 8).contains("clear buffer"));
+    assert!(refused(&[ListLine::Input, ListLine::Repeat(&[])], 8).contains("repeat"));
+    assert!(refused(&[ListLine::Until(list::End::AllResolved)], 8).contains("until"));
+    assert!(refused(&[ListLine::Segments(&[])], 7).contains("last segment cannot be 7"));
     assert!(refused(&[], 0).contains("Local Array of 0"));
 }

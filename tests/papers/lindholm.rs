@@ -6,13 +6,13 @@ use onionskin::low_level::papers::lindholm_2015::components::{
     AS_THE_TEXT_SAYS, PP_DP, PP_DP_AMENDMENTS, STOP,
 };
 use onionskin::low_level::steps::Amendment;
-use onionskin::low_level::steps::pseudo::list::Line;
+use onionskin::low_level::steps::pseudo::list::ListLine;
 use onionskin::{Fragment, Rgba};
 
 /// As printed, with a condition that ends it (erratum L3).
-const PRINTED: [Amendment<Line>; 1] = [STOP];
+const PRINTED: [Amendment<ListLine>; 1] = [STOP];
 /// As the text beside the pseudocode says, likewise.
-const TEXT: [Amendment<Line>; 2] = [AS_THE_TEXT_SAYS, STOP];
+const TEXT: [Amendment<ListLine>; 2] = [AS_THE_TEXT_SAYS, STOP];
 
 /// More subpasses than any list here needs.
 const ENOUGH: u32 = 100;
@@ -28,7 +28,7 @@ struct Peeled {
 }
 
 /// Peels a list of depths, in the order of submission, with a buffer of `n`.
-fn peel(depths: &[u32], n: u32, amendments: &[Amendment<Line>]) -> Peeled {
+fn peel(depths: &[u32], n: u32, amendments: &[Amendment<ListLine>]) -> Peeled {
     let fragment = |(order, &depth): (usize, &u32)| Fragment {
         depth: depth as f32 / 1024.0,
         color: Rgba::default(),

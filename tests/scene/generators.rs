@@ -5,7 +5,9 @@ use std::f64::consts::TAU;
 use crate::kit::scene::measure::{edges, euler, unusable, worst_agreement};
 use crate::kit::scene::toml;
 use glam::{DVec3, Vec3};
-use onionskin::generate::{Cone, Order, Plane, Quads, Slices, cone, plane, quads, slices};
+use onionskin::generate::{
+    Cone, Plane, Quads, Slices, SubmissionOrder, cone, plane, quads, slices,
+};
 use onionskin::{Mesh, Shading};
 
 /// The z of each quad in the order of submission.
@@ -29,7 +31,7 @@ fn quads_lie_one_spacing_apart() {
     let stack = Quads {
         count: 4,
         spacing: 0.25,
-        order: Order::FrontToBack,
+        order: SubmissionOrder::FrontToBack,
         ..Quads::default()
     };
     assert_eq!(
@@ -43,11 +45,11 @@ fn quads_back_to_front_are_the_reverse_of_front_to_back() {
     let front = Quads {
         depths: vec![0.5, 0.25, 0.5, 0.0],
         count: 4,
-        order: Order::FrontToBack,
+        order: SubmissionOrder::FrontToBack,
         ..Quads::default()
     };
     let back = Quads {
-        order: Order::BackToFront,
+        order: SubmissionOrder::BackToFront,
         ..front.clone()
     };
     let colors =
@@ -65,7 +67,7 @@ fn equal_depths_make_ties_in_the_order_of_the_list() {
         count: 2,
         depths: vec![0.5, 0.5],
         colors: vec![[1.0, 0.0, 0.0], [0.0, 0.0, 1.0]],
-        order: Order::FrontToBack,
+        order: SubmissionOrder::FrontToBack,
         ..Quads::default()
     };
     let mesh = quads(&red_then_blue).expect("in range");
@@ -81,7 +83,7 @@ fn shuffled_quads_are_the_same_quads_and_the_seed_decides_their_order() {
     let shuffled = |seed| {
         let stack = Quads {
             count: 50,
-            order: Order::Shuffled,
+            order: SubmissionOrder::Shuffled,
             seed,
             ..Quads::default()
         };

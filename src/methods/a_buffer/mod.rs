@@ -99,7 +99,7 @@ impl ABuffer {
     }
 
     /// The shaders' defines.
-    fn constants(&self, machine: &GlMachine<'_>, insertion: bool) -> Vec<(&'static str, u32)> {
+    fn defines(&self, machine: &GlMachine<'_>, insertion: bool) -> Vec<(&'static str, u32)> {
         let options = &self.options;
         let yes = u32::from;
         // Elements beyond the deepest pixel's are empty, and a network need not compare them.
@@ -107,8 +107,8 @@ impl ABuffer {
             true => options.array,
             false => self.layers.next_power_of_two(),
         };
-        let mut constants = self.volumes.to_vec();
-        constants.extend([
+        let mut defines = self.volumes.to_vec();
+        defines.extend([
             ("FFB", Manager::Ffb as u32),
             ("DFB", Manager::Dfb as u32),
             ("PPLL", Manager::Ppll as u32),
@@ -128,7 +128,7 @@ impl ABuffer {
             ("LARGEST_NETWORK", LARGEST_NETWORK),
             ("DEEPEST", deepest),
         ]);
-        constants
+        defines
     }
 }
 
@@ -266,7 +266,7 @@ impl ABuffer {
         if options.keep == Keep::Nearest {
             loops::expect_keeping_fits(renderer, array, band.layers)?;
         }
-        machine.set_constants(&self.constants(machine, insertion));
+        machine.set_defines(&self.defines(machine, insertion));
         let mut fill = Vec::new();
         if options.has_offsets() {
             fill.push(paper::BEGIN_AT_OFFSETS);

@@ -9,13 +9,13 @@ use crate::papers::stage::{
 };
 use crate::pseudo;
 use crate::steps;
-use crate::steps::pseudo::{Algorithm, Line};
+use crate::steps::pseudo::{Line, Pseudocode};
 use crate::steps::{
     Amendment, Dialect, Framebuffer, Holds, Listing, Map, Query, Resources, Shader, gl::*,
 };
 
 /// Algorithm 1, line by line.
-pub const ALGORITHM_1: Algorithm = Algorithm {
+pub const ALGORITHM_1: Pseudocode = Pseudocode {
     title: "Hybrid Layer Peeling",
     source: "Carr et al. 2008, Algorithm 1",
     lines: pseudo! {

@@ -7,14 +7,14 @@
 use crate::papers::stage::{ACCUMULATED, OPAQUE_DEPTH, OPAQUE_FIRST, OVER_OPAQUE, PEEL};
 use crate::pseudo;
 use crate::steps;
-use crate::steps::pseudo::{Algorithm, Line};
+use crate::steps::pseudo::{Line, Pseudocode};
 use crate::steps::{
     Amendment, Dialect, Format, Framebuffer, Holds, Listing, Map, Query, Resources, Shader, Target,
     gl::*,
 };
 
 /// Algorithm 2, line by line.
-pub const ALGORITHM_2: Algorithm = Algorithm {
+pub const ALGORITHM_2: Pseudocode = Pseudocode {
     title: "Ideal Coherent Layer Peel",
     source: "Carr et al. 2008, Algorithm 2",
     lines: pseudo! {

@@ -3,14 +3,14 @@
 
 use crate::lists;
 use crate::steps::Amendment;
-use crate::steps::pseudo::Algorithm;
-use crate::steps::pseudo::list::Line;
+use crate::steps::pseudo::Pseudocode;
+use crate::steps::pseudo::list::ListLine;
 
 /// The static Local Array: "allocate a fixed sized array, of size N per thread". "All fragments beyond this number are
 /// discarded": beyond it in the Fragment List, whose order the paper leaves open. As the lists of figure 4 are filled
 /// and walked, FFB and DFB keep the fragments that came first. A list of PPLL begins at its newest node, so PPLL keeps
 /// the fragments that came last.
-pub const STATIC_ARRAY: Algorithm<Line> = Algorithm {
+pub const STATIC_ARRAY: Pseudocode<ListLine> = Pseudocode {
     title: "Static Local Array",
     source: "Lindholm et al. 2015, section 4, Managing Local GPU Caches",
     lines: lists! { forall pixels do { resolve segment with Local Array; } },
@@ -18,7 +18,7 @@ pub const STATIC_ARRAY: Algorithm<Line> = Algorithm {
 
 /// A pixel with more fragments than its array keeps the nearest, which hide the others, instead of those that the
 /// list's order gives. It takes one subpass of ppDP.
-pub const NEAREST: Algorithm<Line> = Algorithm {
+pub const NEAREST: Pseudocode<ListLine> = Pseudocode {
     title: "Static Local Array of the nearest",
     source: "onionskin",
     lines: lists! {
@@ -35,7 +35,7 @@ pub const NEAREST: Algorithm<Line> = Algorithm {
 };
 
 /// To [`STATIC_ARRAY`], if the nearest are to be kept.
-pub const KEEP_NEAREST: Amendment<Line> = Amendment {
+pub const KEEP_NEAREST: Amendment<ListLine> = Amendment {
     key: "L09",
     place: "section 4, all fragments beyond this number are discarded",
     printed: lists! { resolve segment with Local Array; },
@@ -45,7 +45,7 @@ pub const KEEP_NEAREST: Amendment<Line> = Amendment {
 };
 
 /// per-pixel Array Optimization, as printed.
-pub const PP_AO: Algorithm<Line> = Algorithm {
+pub const PP_AO: Pseudocode<ListLine> = Pseudocode {
     title: "per-pixel Array Optimization",
     source: "Lindholm et al. 2015, section 5.1",
     lines: lists! {
@@ -68,7 +68,7 @@ pub const PP_AO: Algorithm<Line> = Algorithm {
 };
 
 /// per-pixel Depth Peeling, as printed.
-pub const PP_DP: Algorithm<Line> = Algorithm {
+pub const PP_DP: Pseudocode<ListLine> = Pseudocode {
     title: "per-pixel Depth Peeling",
     source: "Lindholm et al. 2015, section 5.2",
     lines: lists! {
@@ -96,10 +96,10 @@ pub const PP_DP: Algorithm<Line> = Algorithm {
 };
 
 /// The corrections of ppDP.
-pub const PP_DP_AMENDMENTS: [Amendment<Line>; 4] = [START, SKIP_BY_ID, STORE_ID, STOP];
+pub const PP_DP_AMENDMENTS: [Amendment<ListLine>; 4] = [START, SKIP_BY_ID, STORE_ID, STOP];
 
 /// Erratum L4.
-pub const START: Amendment<Line> = Amendment {
+pub const START: Amendment<ListLine> = Amendment {
     key: "L4",
     place: "section 5.2, set min depth to 0",
     printed: lists! { set min depth to 0; },
@@ -109,7 +109,7 @@ pub const START: Amendment<Line> = Amendment {
 };
 
 /// Erratum L1.
-pub const SKIP_BY_ID: Amendment<Line> = Amendment {
+pub const SKIP_BY_ID: Amendment<ListLine> = Amendment {
     key: "L1",
     place: "section 5.2, if depth(f) ≤ min depth",
     printed: lists! {
@@ -135,7 +135,7 @@ pub const SKIP_BY_ID: Amendment<Line> = Amendment {
 };
 
 /// Erratum L1, where the next subpass begins.
-pub const STORE_ID: Amendment<Line> = Amendment {
+pub const STORE_ID: Amendment<ListLine> = Amendment {
     key: "L1",
     place: "section 5.2, store min depth",
     printed: lists! { store min depth of last buffer element; },
@@ -145,7 +145,7 @@ pub const STORE_ID: Amendment<Line> = Amendment {
 };
 
 /// Erratum L3. The printed condition, read as a count, never holds once a fragment is lost.
-pub const STOP: Amendment<Line> = Amendment {
+pub const STOP: Amendment<ListLine> = Amendment {
     key: "L3",
     place: "section 5.2, until all fragments are resolved",
     printed: lists! { until all fragments are resolved; },
@@ -156,7 +156,7 @@ pub const STOP: Amendment<Line> = Amendment {
 
 /// Erratum L2: "the process sorts n-1 elements in the Fragment List per subpass", but min depth is that "of last buffer
 /// element". This is from the text beside the pseudocode.
-pub const AS_THE_TEXT_SAYS: Amendment<Line> = Amendment {
+pub const AS_THE_TEXT_SAYS: Amendment<ListLine> = Amendment {
     key: "L2",
     place: "section 5.2, resolve buffer",
     printed: lists! { resolve buffer; },
@@ -167,7 +167,7 @@ pub const AS_THE_TEXT_SAYS: Amendment<Line> = Amendment {
 
 /// The text's n-1 fragments per subpass, corrected: all of [`PP_DP_AMENDMENTS`], and each subpass goes on from the last
 /// fragment that was resolved. It needs an n of at least 2.
-pub const N_MINUS_1: [Amendment<Line>; 5] = [
+pub const N_MINUS_1: [Amendment<ListLine>; 5] = [
     START,
     SKIP_BY_ID,
     AS_THE_TEXT_SAYS,
@@ -182,7 +182,7 @@ pub const N_MINUS_1: [Amendment<Line>; 5] = [
 
 /// The corrections of ppAO, errata L5 to L7. A pixel's count says to which single segment it belongs, so no mark is
 /// needed. The last segment takes every pixel that is left, and peels the fragments that its array cannot hold.
-pub const PP_AO_AMENDMENT: Amendment<Line> = Amendment {
+pub const PP_AO_AMENDMENT: Amendment<ListLine> = Amendment {
     key: "L5, L6, L7",
     place: "section 5.1, if depth complexity(p) <= i",
     printed: lists! {
@@ -205,7 +205,7 @@ pub const PP_AO_AMENDMENT: Amendment<Line> = Amendment {
 };
 
 /// The same without ppDP: fragments that overflow the last segment's array are dropped.
-pub const PP_AO_WITHOUT_PP_DP: Amendment<Line> = Amendment {
+pub const PP_AO_WITHOUT_PP_DP: Amendment<ListLine> = Amendment {
     amended: lists! {
         if (p is of segment i) then {
             resolve segment with Local Array;
@@ -217,7 +217,7 @@ pub const PP_AO_WITHOUT_PP_DP: Amendment<Line> = Amendment {
 };
 
 /// Again without ppDP, with the last segment's array as [`KEEP_NEAREST`] has it.
-pub const PP_AO_KEEPING_NEAREST: Amendment<Line> = Amendment {
+pub const PP_AO_KEEPING_NEAREST: Amendment<ListLine> = Amendment {
     amended: lists! {
         if (p is of segment i) then {
             if (depth complexity > i) then {
@@ -234,7 +234,10 @@ pub const PP_AO_KEEPING_NEAREST: Amendment<Line> = Amendment {
 
 /// Section 6.2: "the ppAO component is implemented using an 8bit stencil buffer", counted up with `counter`, masked
 /// with the stencil function, marked with a stencil operation that the paper does not name.
-pub const fn by_stencil(counter: &'static [Line], masked: &'static [Line]) -> [Amendment<Line>; 2] {
+pub const fn by_stencil(
+    counter: &'static [ListLine],
+    masked: &'static [ListLine],
+) -> [Amendment<ListLine>; 2] {
     [
         Amendment {
             key: "6.2",

@@ -4,13 +4,13 @@
 use super::components::{PP_DP, SKIP_BY_ID, START, STOP, STORE_ID};
 use crate::lists;
 use crate::steps::Amendment;
-use crate::steps::pseudo::Algorithm;
-use crate::steps::pseudo::list::Line;
+use crate::steps::pseudo::Pseudocode;
+use crate::steps::pseudo::list::ListLine;
 
 /// "Ray casting of the scene is performed by sequentially looping over all entries in the Fragment List. Geometry fragments
 /// are blended directly while volume rendering is performed for the interleaved ray segments. Volume occupancy is tracked
 /// through a bitmask which is updated every time a fragment of a volume proxy geometry is encountered."
-pub const FUSED: Algorithm<Line> = Algorithm {
+pub const FUSED: Pseudocode<ListLine> = Pseudocode {
     title: "Fused rendering: a ray cast between the fragments of the list",
     source: "Lindholm et al. 2015, section 6.1",
     lines: lists! {
@@ -28,10 +28,10 @@ pub const FUSED: Algorithm<Line> = Algorithm {
 };
 
 /// The amendments for what the prose leaves open.
-pub const FUSED_AMENDMENTS: [Amendment<Line>; 2] = [BEGIN_INSIDE, END_AT_OPAQUE];
+pub const FUSED_AMENDMENTS: [Amendment<ListLine>; 2] = [BEGIN_INSIDE, END_AT_OPAQUE];
 
 /// The eye may be inside of a volume.
-pub const BEGIN_INSIDE: Amendment<Line> = Amendment {
+pub const BEGIN_INSIDE: Amendment<ListLine> = Amendment {
     key: "L16",
     place: "section 6.1, volume occupancy is tracked",
     printed: lists! { begin ray outside; },
@@ -41,7 +41,7 @@ pub const BEGIN_INSIDE: Amendment<Line> = Amendment {
 };
 
 /// Proxies behind the opaque surface must be in the list, so that it says where the ray begins.
-pub const END_AT_OPAQUE: Amendment<Line> = Amendment {
+pub const END_AT_OPAQUE: Amendment<ListLine> = Amendment {
     key: "L16",
     place: "section 6.1, the interleaved ray segments",
     printed: lists! { cast ray up to f; },
@@ -53,7 +53,7 @@ pub const END_AT_OPAQUE: Amendment<Line> = Amendment {
 /// The amendments to [`PP_DP`] for a scene with volumes: "to ensure consistency between the individual resolve passes,
 /// we temporarily store the current state of the rendering, including volume occupancy and ray position" (section 5.2).
 /// The state is the ray's, and is kept between subpasses.
-pub const FUSED_PP_DP: [Amendment<Line>; 6] = [
+pub const FUSED_PP_DP: [Amendment<ListLine>; 6] = [
     START,
     SKIP_BY_ID,
     STORE_ID,
@@ -70,7 +70,7 @@ pub const FUSED_PP_DP: [Amendment<Line>; 6] = [
 ];
 
 /// "Resolve buffer considering current state", with volumes.
-pub const EVALUATE_BUFFER: Amendment<Line> = Amendment {
+pub const EVALUATE_BUFFER: Amendment<ListLine> = Amendment {
     key: "L17",
     place: "section 5.2, resolve buffer considering current state",
     printed: lists! { resolve buffer; },
@@ -89,7 +89,7 @@ pub const EVALUATE_BUFFER: Amendment<Line> = Amendment {
 };
 
 /// ppDP on lists with proxies, for the index: [`PP_DP`] with the title of its amended form, [`FUSED_PP_DP`].
-pub const PP_DP_ON_RAYS: Algorithm<Line> = Algorithm {
+pub const PP_DP_ON_RAYS: Pseudocode<ListLine> = Pseudocode {
     title: "per-pixel Depth Peeling with volumes",
     source: "Lindholm et al. 2015, sections 5.2 and 6.1",
     ..PP_DP

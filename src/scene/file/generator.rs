@@ -8,7 +8,7 @@ use super::seed::seed;
 use super::volume::NamedVolume;
 use crate::error::Result;
 use crate::scene::generate::{
-    Cone, Generator, Order, Plane, Quads, Slices, Soup, Teapot, TorusKnot,
+    Cone, Generator, Plane, Quads, Slices, Soup, SubmissionOrder, Teapot, TorusKnot,
 };
 
 /// Reads the parameters of one generator. A parameter that is left out has the default that the generator documents.
@@ -89,10 +89,10 @@ pub(super) fn names() -> String {
     format!("{own}, {ISOSURFACE}")
 }
 
-const ORDERS: [(&str, Order); 3] = [
-    ("front-to-back", Order::FrontToBack),
-    ("back-to-front", Order::BackToFront),
-    ("shuffled", Order::Shuffled),
+const ORDERS: [(&str, SubmissionOrder); 3] = [
+    ("front-to-back", SubmissionOrder::FrontToBack),
+    ("back-to-front", SubmissionOrder::BackToFront),
+    ("shuffled", SubmissionOrder::Shuffled),
 ];
 
 fn teapot(keys: &Keys) -> Result<Box<dyn Generator>> {

@@ -38,7 +38,7 @@ pub use arrows::{Arrows, arrows};
 pub use cone::{Cone, cone};
 pub use flow::{Flow, Seeds, runge_kutta};
 pub use isosurface::{Isosurface, isosurface};
-pub use order::Order;
+pub use order::SubmissionOrder;
 pub use plane::{Plane, plane};
 pub use quads::{Quads, quads};
 pub use slices::{Slices, slices};

@@ -4,7 +4,7 @@ use crate::scene::chance::Chance;
 
 /// An order of submission, for an eye on the +z side.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Order {
+pub enum SubmissionOrder {
     /// The nearest surface first. Of two surfaces at the same depth, the one with the smaller number first.
     FrontToBack,
     /// The exact reverse of front to back. Blending without any sorting draws it correctly.
@@ -14,7 +14,7 @@ pub enum Order {
     Shuffled,
 }
 
-impl Order {
+impl SubmissionOrder {
     /// The numbers of the surfaces at these depths, in the order of submission. A larger depth is further away.
     pub(super) fn of(self, depths: &[f32], seed: u64) -> Vec<usize> {
         let mut numbers: Vec<usize> = (0..depths.len()).collect();

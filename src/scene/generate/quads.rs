@@ -5,7 +5,7 @@ use glam::Vec3;
 use super::limits::{
     COORDINATE, FRACTION, LENGTH, all_within, count_within, few_enough, refusal, within,
 };
-use super::{Generator, Order, Refusal, checked};
+use super::{Generator, Refusal, SubmissionOrder, checked};
 use crate::error::Result;
 use crate::fragment::Rgba;
 use crate::scene::mesh::{Mesh, Vertex};
@@ -28,7 +28,7 @@ pub struct Quads {
     /// The opacity of all quads, 0 to 1.
     pub alpha: f32,
     /// The order of submission.
-    pub order: Order,
+    pub order: SubmissionOrder,
     /// The seed of [`Order::Shuffled`].
     pub seed: u64,
 }
@@ -44,7 +44,7 @@ impl Default for Quads {
             depths: Vec::new(),
             colors: PALETTE.to_vec(),
             alpha: 0.5,
-            order: Order::default(),
+            order: SubmissionOrder::default(),
             seed: 0,
         }
     }

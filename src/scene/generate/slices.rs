@@ -4,7 +4,7 @@ use glam::{DVec3, Vec3};
 
 use super::grid::Grid;
 use super::limits::{FRACTION, LENGTH, count_within, few_enough, within};
-use super::{Generator, Order, Refusal, checked, named};
+use super::{Generator, Refusal, SubmissionOrder, checked, named};
 use crate::error::Result;
 use crate::fragment::Rgba;
 use crate::scene::mesh::{Mesh, Vertex};
@@ -23,7 +23,7 @@ pub struct Slices {
     /// The opacity of a slice where the cloud is densest, 0 to 1.
     pub alpha: f32,
     /// The order of submission.
-    pub order: Order,
+    pub order: SubmissionOrder,
     /// The seed of [`Order::Shuffled`].
     pub seed: u64,
 }
@@ -36,7 +36,7 @@ impl Default for Slices {
             size: 2.0,
             cells: 24,
             alpha: 0.1,
-            order: Order::default(),
+            order: SubmissionOrder::default(),
             seed: 0,
         }
     }

@@ -1,34 +1,34 @@
 //! Pseudocode on Fragment Lists: ppAO and ppDP as Lindholm et al. print them, line by line.
 //!
-//! A [`pseudo::Line`](super::Line) works on fragments as they are rasterised. A [`Line`] here works on lists that the
+//! A [`super::Line`] works on fragments as they are rasterised. A [`ListLine`] here works on lists that the
 //! Fill Step has left, one per pixel, and on a Local Array for a few of their fragments.
 
 use std::fmt;
 
-use super::Algorithm;
+use super::Pseudocode;
 use crate::steps::{Amendment, Met, Ran, Scope, Statement};
 
 /// One statement.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Line {
+pub enum ListLine {
     /// `input : list of fragment data per pixel`: the lines are for a single pixel.
     Input,
     /// A comment of the paper.
     Note(&'static str),
     /// `forall the pixels of the framebuffer do`
-    Pixels(&'static [Line]),
+    Pixels(&'static [ListLine]),
     /// `forall the unresolved pixels of the framebuffer do`: those without [`Mark::Resolved`].
-    UnresolvedPixels(&'static [Line]),
+    UnresolvedPixels(&'static [ListLine]),
     /// `foreach i ∈ {8,16, . . . ,max} do`: i doubles. max is the size of the largest Local Array.
-    Segments(&'static [Line]),
+    Segments(&'static [ListLine]),
     /// `foreach fragment f ∈ fragment list do`
-    Fragments(&'static [Line]),
+    Fragments(&'static [ListLine]),
     /// `repeat ... until ...;`: its last line is an [`Until`](Self::Until).
-    Repeat(&'static [Line]),
+    Repeat(&'static [ListLine]),
     /// The end of a repeat.
     Until(End),
     /// `if ... then ... else ... end`
-    If(Test, &'static [Line], &'static [Line]),
+    If(ListTest, &'static [ListLine], &'static [ListLine]),
 
     /// `count depth complexity;`
     Count(Counter),
@@ -37,7 +37,10 @@ pub enum Line {
     /// `resolve segment with Local Array of size i;`: sorts the first i fragments of the list, and drops the others.
     ResolveSegment,
     /// Resolves the pixel by another algorithm, with a Local Array of size i.
-    Run(&'static Algorithm<Line>, &'static [Amendment<Line>]),
+    Run(
+        &'static Pseudocode<ListLine>,
+        &'static [Amendment<ListLine>],
+    ),
     /// `// mark pixel as resolved`
     Mark(Mark),
 
@@ -62,9 +65,9 @@ pub enum Line {
     ClearBuffer,
 
     /// `foreach fragment f ∈ sorted fragment list do`: by depth, then id.
-    Sorted(&'static [Line]),
+    Sorted(&'static [ListLine]),
     /// `foreach fragment f ∈ buffer do`: resolves the buffer.
-    Elements(&'static [Line]),
+    Elements(&'static [ListLine]),
     /// `ray position, occupancy ← near plane, ...;`
     BeginRay(Beginning),
     /// `cast ray through the occupied volumes up to ...;`, after which the ray's position is there.
@@ -75,7 +78,7 @@ pub enum Line {
     Blend,
 }
 
-impl Statement for Line {
+impl Statement for ListLine {
     fn bodies(&self) -> [&'static [Self]; 2] {
         match *self {
             Self::Pixels(body)
@@ -100,7 +103,7 @@ impl Statement for Line {
 
 /// The condition of an `if`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Test {
+pub enum ListTest {
     /// `depth complexity(p)<= i`
     FitsSegment,
     /// The same by the stencil buffer, whose reference is at most 255.
@@ -203,19 +206,24 @@ pub enum Mark {
 }
 
 /// The algorithm as its paper prints it, with `amendments` applied. Without any amendment, it is as printed.
-pub fn print(algorithm: &Algorithm<Line>, amendments: &[Amendment<Line>]) -> String {
+pub fn print(algorithm: &Pseudocode<ListLine>, amendments: &[Amendment<ListLine>]) -> String {
     let mut text = String::new();
     print_lines(&mut text, algorithm.lines, Scope::of(amendments), 0);
     text
 }
 
-fn print_lines(text: &mut String, lines: &'static [Line], scope: Scope<'_, Line>, indent: usize) {
+fn print_lines(
+    text: &mut String,
+    lines: &'static [ListLine],
+    scope: Scope<'_, ListLine>,
+    indent: usize,
+) {
     for met in scope.walk(lines) {
         match met {
             Met::Amendment(it) => {
                 // An `until` stands where its `repeat` does.
                 let indent = match it.printed {
-                    [Line::Until(_), ..] => indent - 1,
+                    [ListLine::Until(_), ..] => indent - 1,
                     _ => indent,
                 };
                 print_line(text, indent, format_args!("// {}: {}", it.key, it.why));
@@ -225,24 +233,24 @@ fn print_lines(text: &mut String, lines: &'static [Line], scope: Scope<'_, Line>
     }
 }
 
-fn print_statement(text: &mut String, line: &Line, scope: Scope<'_, Line>, indent: usize) {
+fn print_statement(text: &mut String, line: &ListLine, scope: Scope<'_, ListLine>, indent: usize) {
     match line {
-        Line::Until(_) => print_line(text, indent - 1, line),
-        Line::Repeat(body) => {
+        ListLine::Until(_) => print_line(text, indent - 1, line),
+        ListLine::Repeat(body) => {
             print_line(text, indent, line);
             print_lines(text, body, scope, indent + 1);
         }
-        Line::Pixels(body)
-        | Line::UnresolvedPixels(body)
-        | Line::Segments(body)
-        | Line::Fragments(body)
-        | Line::Sorted(body)
-        | Line::Elements(body) => {
+        ListLine::Pixels(body)
+        | ListLine::UnresolvedPixels(body)
+        | ListLine::Segments(body)
+        | ListLine::Fragments(body)
+        | ListLine::Sorted(body)
+        | ListLine::Elements(body) => {
             print_line(text, indent, line);
             print_lines(text, body, scope, indent + 1);
             print_line(text, indent, "end");
         }
-        Line::If(_, then, otherwise) => {
+        ListLine::If(_, then, otherwise) => {
             print_line(text, indent, line);
             print_lines(text, then, scope, indent + 1);
             if !otherwise.is_empty() {
@@ -260,7 +268,7 @@ fn print_line(text: &mut String, indent: usize, line: impl fmt::Display) {
 }
 
 /// A statement's own line, without the statements inside of it.
-impl fmt::Display for Line {
+impl fmt::Display for ListLine {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::Input => "input : list of fragment data per pixel",
@@ -329,7 +337,7 @@ impl fmt::Display for Line {
     }
 }
 
-impl fmt::Display for Test {
+impl fmt::Display for ListTest {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::FitsSegment => "depth complexity(p) <= i",

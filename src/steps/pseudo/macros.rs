@@ -1,6 +1,6 @@
 //! The macros in which pseudocode is written.
 
-/// The lines of an [`Algorithm`](crate::steps::pseudo::Algorithm), written as the paper writes them, as a
+/// The lines of a [`Pseudocode`](crate::steps::pseudo::Pseudocode), written as the paper writes them, as a
 /// `&'static [Line]`.
 ///
 /// ```
@@ -178,17 +178,17 @@ macro_rules! pseudo_test {
 }
 
 /// The lines of an algorithm on lists of fragments, written as the paper writes them, as a
-/// `&'static [list::Line]`.
+/// `&'static [list::ListLine]`.
 ///
 /// ```
-/// use onionskin::low_level::steps::pseudo::list::{Key, Line, Test};
-/// use onionskin::low_level::steps::pseudo::list::Line::*;
-/// const LINES: &[Line] = onionskin::lists! {
+/// use onionskin::low_level::steps::pseudo::list::{Key, ListLine, ListTest};
+/// use onionskin::low_level::steps::pseudo::list::ListLine::*;
+/// const LINES: &[ListLine] = onionskin::lists! {
 ///     foreach fragment f do {
 ///         if (depth <= min depth) then { skip f; } else { insert f by depth; }
 ///     }
 /// };
-/// const SKIP_OR_INSERT: Line = If(Test::NotBehindMin(Key::Depth), &[Skip], &[Insert(Key::Depth)]);
+/// const SKIP_OR_INSERT: ListLine = If(ListTest::NotBehindMin(Key::Depth), &[Skip], &[Insert(Key::Depth)]);
 /// assert_eq!(LINES, [Fragments(&[SKIP_OR_INSERT])]);
 /// ```
 #[macro_export]
@@ -197,9 +197,9 @@ macro_rules! lists {
         {
             #[allow(unused_imports)]
             use $crate::low_level::steps::pseudo::list::{
-                Beginning, Counter, Element, End, Key, Line, Mark, SegmentEnd, Start, Taken, Test,
+                Beginning, Counter, Element, End, Key, ListLine, Mark, SegmentEnd, Start, Taken, ListTest,
             };
-            const LINES: &[Line] = $crate::list_lines!([] $($line)*);
+            const LINES: &[ListLine] = $crate::list_lines!([] $($line)*);
             LINES
         }
     };
@@ -213,29 +213,29 @@ macro_rules! list_lines {
 
     // Loops and branches.
     ([$($done:expr,)*] forall pixels do { $($body:tt)* } $($rest:tt)*) => {
-        $crate::list_lines!([$($done,)* Line::Pixels($crate::list_lines!([] $($body)*)),] $($rest)*)
+        $crate::list_lines!([$($done,)* ListLine::Pixels($crate::list_lines!([] $($body)*)),] $($rest)*)
     };
     ([$($done:expr,)*] forall unresolved pixels do { $($body:tt)* } $($rest:tt)*) => {
-        $crate::list_lines!([$($done,)* Line::UnresolvedPixels($crate::list_lines!([] $($body)*)),] $($rest)*)
+        $crate::list_lines!([$($done,)* ListLine::UnresolvedPixels($crate::list_lines!([] $($body)*)),] $($rest)*)
     };
     ([$($done:expr,)*] foreach segment i do { $($body:tt)* } $($rest:tt)*) => {
-        $crate::list_lines!([$($done,)* Line::Segments($crate::list_lines!([] $($body)*)),] $($rest)*)
+        $crate::list_lines!([$($done,)* ListLine::Segments($crate::list_lines!([] $($body)*)),] $($rest)*)
     };
     ([$($done:expr,)*] foreach fragment f do { $($body:tt)* } $($rest:tt)*) => {
-        $crate::list_lines!([$($done,)* Line::Fragments($crate::list_lines!([] $($body)*)),] $($rest)*)
+        $crate::list_lines!([$($done,)* ListLine::Fragments($crate::list_lines!([] $($body)*)),] $($rest)*)
     };
     ([$($done:expr,)*] foreach sorted fragment f do { $($body:tt)* } $($rest:tt)*) => {
-        $crate::list_lines!([$($done,)* Line::Sorted($crate::list_lines!([] $($body)*)),] $($rest)*)
+        $crate::list_lines!([$($done,)* ListLine::Sorted($crate::list_lines!([] $($body)*)),] $($rest)*)
     };
     ([$($done:expr,)*] foreach element f of buffer do { $($body:tt)* } $($rest:tt)*) => {
-        $crate::list_lines!([$($done,)* Line::Elements($crate::list_lines!([] $($body)*)),] $($rest)*)
+        $crate::list_lines!([$($done,)* ListLine::Elements($crate::list_lines!([] $($body)*)),] $($rest)*)
     };
     ([$($done:expr,)*] repeat { $($body:tt)* } until $($rest:tt)*) => {
         $crate::list_lines!(@until [$($done,)*] [$($body)*] [] $($rest)*)
     };
     (@until [$($done:expr,)*] [$($body:tt)*] [$($end:tt)*] ; $($rest:tt)*) => {
         $crate::list_lines!(
-            [$($done,)* Line::Repeat($crate::list_lines!([] $($body)* until $($end)*;)),]
+            [$($done,)* ListLine::Repeat($crate::list_lines!([] $($body)* until $($end)*;)),]
             $($rest)*
         )
     };
@@ -243,20 +243,20 @@ macro_rules! list_lines {
         $crate::list_lines!(@until [$($done,)*] [$($body)*] [$($end)* $next] $($rest)*)
     };
     ([$($done:expr,)*] until all fragments are resolved; $($rest:tt)*) => {
-        $crate::list_lines!([$($done,)* Line::Until(End::AllResolved),] $($rest)*)
+        $crate::list_lines!([$($done,)* ListLine::Until(End::AllResolved),] $($rest)*)
     };
     ([$($done:expr,)*] until no element was dropped; $($rest:tt)*) => {
-        $crate::list_lines!([$($done,)* Line::Until(End::NothingDropped),] $($rest)*)
+        $crate::list_lines!([$($done,)* ListLine::Until(End::NothingDropped),] $($rest)*)
     };
     ([$($done:expr,)*] if ($($test:tt)*) then { $($then:tt)* } else { $($otherwise:tt)* } $($rest:tt)*) => {
-        $crate::list_lines!([$($done,)* Line::If(
+        $crate::list_lines!([$($done,)* ListLine::If(
             $crate::list_test!($($test)*),
             $crate::list_lines!([] $($then)*),
             $crate::list_lines!([] $($otherwise)*),
         ),] $($rest)*)
     };
     ([$($done:expr,)*] if ($($test:tt)*) then { $($then:tt)* } $($rest:tt)*) => {
-        $crate::list_lines!([$($done,)* Line::If(
+        $crate::list_lines!([$($done,)* ListLine::If(
             $crate::list_test!($($test)*),
             $crate::list_lines!([] $($then)*),
             &[],
@@ -265,92 +265,92 @@ macro_rules! list_lines {
 
     // The Fill Step, and ppAO.
     ([$($done:expr,)*] note $note:literal; $($rest:tt)*) => {
-        $crate::list_lines!([$($done,)* Line::Note($note),] $($rest)*)
+        $crate::list_lines!([$($done,)* ListLine::Note($note),] $($rest)*)
     };
     ([$($done:expr,)*] count depth complexity; $($rest:tt)*) => {
-        $crate::list_lines!([$($done,)* Line::Count(Counter::Integer),] $($rest)*)
+        $crate::list_lines!([$($done,)* ListLine::Count(Counter::Integer),] $($rest)*)
     };
     ([$($done:expr,)*] activate shader program; $($rest:tt)*) => {
-        $crate::list_lines!([$($done,)* Line::ActivateProgram,] $($rest)*)
+        $crate::list_lines!([$($done,)* ListLine::ActivateProgram,] $($rest)*)
     };
     ([$($done:expr,)*] resolve segment with Local Array; $($rest:tt)*) => {
-        $crate::list_lines!([$($done,)* Line::ResolveSegment,] $($rest)*)
+        $crate::list_lines!([$($done,)* ListLine::ResolveSegment,] $($rest)*)
     };
     ([$($done:expr,)*] resolve segment by $algorithm:ident; $($rest:tt)*) => {
-        $crate::list_lines!([$($done,)* Line::Run(&$algorithm, &[]),] $($rest)*)
+        $crate::list_lines!([$($done,)* ListLine::Run(&$algorithm, &[]),] $($rest)*)
     };
     ([$($done:expr,)*] resolve segment by $algorithm:ident amended by $amendments:expr; $($rest:tt)*) => {
-        $crate::list_lines!([$($done,)* Line::Run(&$algorithm, $amendments),] $($rest)*)
+        $crate::list_lines!([$($done,)* ListLine::Run(&$algorithm, $amendments),] $($rest)*)
     };
     ([$($done:expr,)*] mark pixel as resolved; $($rest:tt)*) => {
-        $crate::list_lines!([$($done,)* Line::Mark(Mark::Resolved),] $($rest)*)
+        $crate::list_lines!([$($done,)* ListLine::Mark(Mark::Resolved),] $($rest)*)
     };
 
     // ppDP.
     ([$($done:expr,)*] input list of fragments; $($rest:tt)*) => {
-        $crate::list_lines!([$($done,)* Line::Input,] $($rest)*)
+        $crate::list_lines!([$($done,)* ListLine::Input,] $($rest)*)
     };
     ([$($done:expr,)*] n <- sizeof Local Array; $($rest:tt)*) => {
-        $crate::list_lines!([$($done,)* Line::SizeOfLocalArray,] $($rest)*)
+        $crate::list_lines!([$($done,)* ListLine::SizeOfLocalArray,] $($rest)*)
     };
     ([$($done:expr,)*] create buffer with n elements; $($rest:tt)*) => {
-        $crate::list_lines!([$($done,)* Line::CreateBuffer,] $($rest)*)
+        $crate::list_lines!([$($done,)* ListLine::CreateBuffer,] $($rest)*)
     };
     ([$($done:expr,)*] set min depth to 0; $($rest:tt)*) => {
-        $crate::list_lines!([$($done,)* Line::SetMin(Start::Zero),] $($rest)*)
+        $crate::list_lines!([$($done,)* ListLine::SetMin(Start::Zero),] $($rest)*)
     };
     ([$($done:expr,)*] set min depth before all; $($rest:tt)*) => {
-        $crate::list_lines!([$($done,)* Line::SetMin(Start::BeforeAll),] $($rest)*)
+        $crate::list_lines!([$($done,)* ListLine::SetMin(Start::BeforeAll),] $($rest)*)
     };
     ([$($done:expr,)*] initialize current state; $($rest:tt)*) => {
-        $crate::list_lines!([$($done,)* Line::InitializeState,] $($rest)*)
+        $crate::list_lines!([$($done,)* ListLine::InitializeState,] $($rest)*)
     };
     ([$($done:expr,)*] skip f; $($rest:tt)*) => {
-        $crate::list_lines!([$($done,)* Line::Skip,] $($rest)*)
+        $crate::list_lines!([$($done,)* ListLine::Skip,] $($rest)*)
     };
     ([$($done:expr,)*] insert f by depth; $($rest:tt)*) => {
-        $crate::list_lines!([$($done,)* Line::Insert(Key::Depth),] $($rest)*)
+        $crate::list_lines!([$($done,)* ListLine::Insert(Key::Depth),] $($rest)*)
     };
     ([$($done:expr,)*] insert f by depth, then id; $($rest:tt)*) => {
-        $crate::list_lines!([$($done,)* Line::Insert(Key::DepthAndId),] $($rest)*)
+        $crate::list_lines!([$($done,)* ListLine::Insert(Key::DepthAndId),] $($rest)*)
     };
     ([$($done:expr,)*] resolve buffer; $($rest:tt)*) => {
-        $crate::list_lines!([$($done,)* Line::ResolveBuffer(Taken::All),] $($rest)*)
+        $crate::list_lines!([$($done,)* ListLine::ResolveBuffer(Taken::All),] $($rest)*)
     };
     ([$($done:expr,)*] resolve buffer, on overflow its first n - 1 elements; $($rest:tt)*) => {
-        $crate::list_lines!([$($done,)* Line::ResolveBuffer(Taken::AllButLastOnOverflow),] $($rest)*)
+        $crate::list_lines!([$($done,)* ListLine::ResolveBuffer(Taken::AllButLastOnOverflow),] $($rest)*)
     };
     ([$($done:expr,)*] store min depth of last buffer element; $($rest:tt)*) => {
-        $crate::list_lines!([$($done,)* Line::Store(Key::Depth, Element::Last),] $($rest)*)
+        $crate::list_lines!([$($done,)* ListLine::Store(Key::Depth, Element::Last),] $($rest)*)
     };
     ([$($done:expr,)*] store min depth and id of last buffer element; $($rest:tt)*) => {
-        $crate::list_lines!([$($done,)* Line::Store(Key::DepthAndId, Element::Last),] $($rest)*)
+        $crate::list_lines!([$($done,)* ListLine::Store(Key::DepthAndId, Element::Last),] $($rest)*)
     };
     ([$($done:expr,)*] store min depth and id of last resolved element; $($rest:tt)*) => {
-        $crate::list_lines!([$($done,)* Line::Store(Key::DepthAndId, Element::LastResolved),] $($rest)*)
+        $crate::list_lines!([$($done,)* ListLine::Store(Key::DepthAndId, Element::LastResolved),] $($rest)*)
     };
     ([$($done:expr,)*] clear buffer; $($rest:tt)*) => {
-        $crate::list_lines!([$($done,)* Line::ClearBuffer,] $($rest)*)
+        $crate::list_lines!([$($done,)* ListLine::ClearBuffer,] $($rest)*)
     };
 
     // Rays.
     ([$($done:expr,)*] begin ray outside; $($rest:tt)*) => {
-        $crate::list_lines!([$($done,)* Line::BeginRay(Beginning::Outside),] $($rest)*)
+        $crate::list_lines!([$($done,)* ListLine::BeginRay(Beginning::Outside),] $($rest)*)
     };
     ([$($done:expr,)*] begin ray inside what is only left; $($rest:tt)*) => {
-        $crate::list_lines!([$($done,)* Line::BeginRay(Beginning::WhatIsOnlyLeft),] $($rest)*)
+        $crate::list_lines!([$($done,)* ListLine::BeginRay(Beginning::WhatIsOnlyLeft),] $($rest)*)
     };
     ([$($done:expr,)*] cast ray up to f; $($rest:tt)*) => {
-        $crate::list_lines!([$($done,)* Line::Cast(SegmentEnd::Fragment),] $($rest)*)
+        $crate::list_lines!([$($done,)* ListLine::Cast(SegmentEnd::Fragment),] $($rest)*)
     };
     ([$($done:expr,)*] cast ray up to f or opaque depth; $($rest:tt)*) => {
-        $crate::list_lines!([$($done,)* Line::Cast(SegmentEnd::FragmentOrOpaque),] $($rest)*)
+        $crate::list_lines!([$($done,)* ListLine::Cast(SegmentEnd::FragmentOrOpaque),] $($rest)*)
     };
     ([$($done:expr,)*] toggle the volume of f; $($rest:tt)*) => {
-        $crate::list_lines!([$($done,)* Line::Toggle,] $($rest)*)
+        $crate::list_lines!([$($done,)* ListLine::Toggle,] $($rest)*)
     };
     ([$($done:expr,)*] blend f; $($rest:tt)*) => {
-        $crate::list_lines!([$($done,)* Line::Blend,] $($rest)*)
+        $crate::list_lines!([$($done,)* ListLine::Blend,] $($rest)*)
     };
 }
 
@@ -358,21 +358,21 @@ macro_rules! list_lines {
 #[macro_export]
 macro_rules! list_test {
     (depth complexity <= i) => {
-        Test::FitsSegment
+        ListTest::FitsSegment
     };
     (depth complexity > i) => {
-        Test::Overflows
+        ListTest::Overflows
     };
     (p is of segment i) => {
-        Test::InSegment
+        ListTest::InSegment
     };
     (depth <= min depth) => {
-        Test::NotBehindMin(Key::Depth)
+        ListTest::NotBehindMin(Key::Depth)
     };
     ((depth, id) <= (min depth, min id)) => {
-        Test::NotBehindMin(Key::DepthAndId)
+        ListTest::NotBehindMin(Key::DepthAndId)
     };
     (f is of a proxy) => {
-        Test::IsProxy
+        ListTest::IsProxy
     };
 }
