@@ -8,9 +8,9 @@
 // defines: method
 
 // Inserts with insertion sort. Stores at most N elements, drops the last element on overflow.
-void insert(double key_f, uint place_f) {
+void insert(KEY key_f, uint place_f) {
 #if INSERTION
-    if (key_f < key[N - 1]) {
+    if (BEFORE(key_f, key[N - 1])) {
         insert_before(N - 1, key_f, place_f);
     }
 #else
@@ -20,7 +20,7 @@ void insert(double key_f, uint place_f) {
 #endif
 }
 
-double min_key = 0.0LF;    // set min depth to 0
+KEY min_key = BEFORE_ALL;    // set min depth to 0
 uint left;                 // fragments that the subpass has not skipped
 
 // Skips what was resolved before, inserts the rest; returns the place of the next record.
@@ -29,11 +29,11 @@ uint take(uint at, bool there) {
         return at;
     }
     uvec4 head = list_head(at);
-    double key_f = key_of(head, at);
+    KEY key_f = key_of(head, at);
 #if AS_PRINTED
-    bool skip = depth_of(key_f) <= (min_key == 0.0LF ? 0.0 : depth_of(min_key));
+    bool skip = depth_of(key_f) <= (min_key == BEFORE_ALL ? 0.0 : depth_of(min_key));
 #else
-    bool skip = key_f <= min_key;
+    bool skip = !BEFORE(min_key, key_f);
 #endif
     if (!skip) {
         insert(key_f, at);
@@ -68,5 +68,6 @@ void resolve_by_peeling(uint count) {
 #endif
         resolve_local_array(min(left, uint(N)));
         min_key = key[N - 1];    // store min depth of last buffer element
-    } while (left > uint(N) && !ray_ended());
+        // A subpass resolves one fragment at least. What did not would go on for ever, and take the GPU with it.
+    } while (left > uint(N) && subpasses < count && !ray_ended());
 }

@@ -19,9 +19,9 @@ void sort_local_array(uint count) {
 
 #if KEEPS
 // The array is full: the farthest of its elements and of this one is dropped.
-void keep_if_nearer(double key_f, uint place_f) {
+void keep_if_nearer(KEY key_f, uint place_f) {
 #if SORT_BY_INSERTION
-    if (key_f < key[N - 1]) {
+    if (BEFORE(key_f, key[N - 1])) {
         insert_before(N - 1, key_f, place_f);
     }
 #else

@@ -108,6 +108,12 @@ pub(super) fn expect_samples_fit(renderer: &str, volumes: &[Volume]) -> Result<(
     })
 }
 
+/// Whether the Local Array's keys are doubles, which llvmpipe compares faster than two words. NVIDIA's driver gets some of
+/// them wrong (`glsl/a_buffer/local_array.glsl`).
+pub(super) fn has_quick_doubles(renderer: &str) -> bool {
+    renderer.contains("llvmpipe")
+}
+
 fn is_limited(renderer: &str) -> bool {
     renderer.contains("llvmpipe")
 }

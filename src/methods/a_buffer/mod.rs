@@ -101,6 +101,7 @@ impl ABuffer {
     /// The shaders' defines.
     fn defines(&self, machine: &GlMachine<'_>, insertion: bool) -> Vec<(&'static str, u32)> {
         let options = &self.options;
+        let renderer = &machine.context().driver().renderer;
         let yes = u32::from;
         // Elements beyond the deepest pixel's are empty, and a network need not compare them.
         let deepest = match insertion {
@@ -116,6 +117,7 @@ impl ABuffer {
             ("OFFSETS", yes(options.has_offsets())),
             // Ordered fragments leave lists in the order of submission.
             ("IN_ORDER", yes(self.ordered(machine))),
+            ("KEYS_AS_DOUBLES", yes(loops::has_quick_doubles(renderer))),
             ("FLOAT_COLOR", yes(options.color == RecordColor::Float)),
             ("TERMINATION", options.termination.to_bits()),
             ("AS_PRINTED", yes(options.as_printed)),
