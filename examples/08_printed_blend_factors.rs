@@ -20,6 +20,7 @@ mod example;
 /// Undoes the one amended word.
 const AS_PRINTED: Amendment = Amendment {
     key: "X16, undone",
+    kind: onionskin::low_level::steps::Kind::Correction,
     place: "section 6, the blend function",
     printed: steps! { glBlendFuncSeparate(DEST_ALPHA, ZERO, ONE, ZERO); },
     amended: steps! { glBlendFuncSeparate(ZERO, DEST_ALPHA, ONE, ZERO); },

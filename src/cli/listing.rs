@@ -3,26 +3,38 @@
 use std::process::ExitCode;
 
 use clap::Args;
+use clap::builder::styling::{AnsiColor, Style};
 use onionskin::low_level::error::did_you_mean;
-use onionskin::low_level::steps::{self, Amendment, Recorder, Variables, free_variables, run};
+use onionskin::low_level::steps::{
+    self, Amendment, Origin, Reading, Recorder, TextLine, Variables, free_variables, run,
+};
 use onionskin::{Error, Result, Text, papers, texts};
 
-use super::output::say;
+use super::listing_json;
+use super::output::{print_json, say, say_styled};
 
 /// Print the papers' listings
 ///
-/// The listings are printed from the data that runs. By default they are printed as amended, each amendment with its
-/// reason, and with --as-printed as the paper has them. Without an argument, the names of all listings are printed.
-/// Needs no OpenGL.
+/// The listings are printed from the data that runs. A letter in the margin says where each line comes from: p if the
+/// paper prints it, s if the paper says it in a sentence, f if it fills what the paper leaves open, a if it amends what
+/// is wrong in the paper, e if it is this edition's own. By default listings are printed as amended, with --as-printed
+/// without amendments, and with --literal without fillings, too. Without an argument, the names of all listings are
+/// printed. Needs no OpenGL.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Listing {
     /// A paper, for all of its listings, or one listing, such as everitt/listing-1
     #[arg(value_name = "PAPER[/LISTING]")]
     name: Option<String>,
-    /// Print the listing as the paper has it, without amendments
+    /// Leave out what amends the paper; what fills its silence stays
     #[arg(long)]
     as_printed: bool,
+    /// Leave out what fills the paper's silence, too
+    #[arg(long, conflicts_with = "as_printed")]
+    literal: bool,
+    /// Print one JSON object for each listing: its lines with their origins, and its steps
+    #[arg(long, conflicts_with = "unroll")]
+    json: bool,
     /// Print the calls of N rounds of the listing's loop instead, 1 to 1000: one call per line, every argument named
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1000))]
     unroll: Option<u32>,
@@ -35,6 +47,7 @@ const EXAMPLES: &str = "\
 Examples:
   onionskin listing                                     the names of all listings
   onionskin listing everitt/listing-1 --as-printed
+  onionskin listing carr/pass-1 --as-printed | sed -n 's/^p //p'   nothing but what the paper prints
   onionskin listing everitt/listing-1 --unroll 2        two peels, call by call
   onionskin listing everitt/listing-1 --unroll 2 --set num_passes=3";
 
@@ -43,32 +56,76 @@ impl Listing {
         let Some(name) = &self.name else {
             return index();
         };
-        let texts = texts(name)?.into_iter().map(|(name, text)| {
-            let head = format!("// {}: {}\n", text.source(), text.title());
-            Ok(head + &self.body(&name, text)?)
-        });
-        let texts = texts.collect::<Result<Vec<_>>>()?;
-        say(texts.join("\n").trim_end_matches('\n'))?;
+        for (at, (name, text)) in texts(name)?.into_iter().enumerate() {
+            if self.json {
+                print_json(&listing_json::object(&name, text, self.reading()))?;
+                continue;
+            }
+            if at > 0 {
+                say("")?;
+            }
+            say_styled(&self.styled(&name, text)?)?;
+        }
         Ok(ExitCode::SUCCESS)
     }
 
-    fn body(&self, name: &str, text: &Text) -> Result<String> {
-        let text = if self.as_printed {
-            text.as_printed()
-        } else {
-            *text
-        };
+    fn reading(&self) -> Reading {
+        match (self.literal, self.as_printed) {
+            (true, _) => Reading::Literal,
+            (_, true) => Reading::AsPrinted,
+            _ => Reading::Amended,
+        }
+    }
+
+    fn styled(&self, name: &str, text: &Text) -> Result<Vec<(Style, String)>> {
+        let plain = |line: &str| (Style::new(), line.to_owned());
+        let mut all = vec![plain(&format!("// {}: {}", text.source(), text.title()))];
         match (self.unroll, text) {
             (Some(rounds), Text::Listing(listing, amendments)) => {
-                unroll(&listing, amendments, rounds, &self.set)
+                let amendments = self.reading().of(amendments);
+                let calls = unroll(listing, &amendments, rounds, &self.set)?;
+                all.extend(calls.lines().map(plain));
             }
             // A paper as a whole unrolls what it can.
-            (Some(_), _) if self.name.as_deref() == Some(name) => Err(Error::usage(
-                format!("{name} is pseudocode, which makes no calls"),
-                "--unroll is for listings; what OpenGL runs for it is carr/hybrid, carr/ideal or lindholm/pp-ao",
-            )),
-            _ => Ok(text.print()),
+            (Some(_), _) if self.name.as_deref() == Some(name) => {
+                return Err(Error::usage(
+                    format!("{name} is pseudocode, which makes no calls"),
+                    "--unroll is for listings; what OpenGL runs for it is carr/hybrid, carr/ideal or lindholm/pp-ao",
+                ));
+            }
+            _ => all.extend(margins(&text.lines(self.reading()))),
         }
+        Ok(all)
+    }
+}
+
+/// The lines with their letters, and what the letters mean.
+fn margins(lines: &[TextLine]) -> Vec<(Style, String)> {
+    let letter = |line: &TextLine| line.origin.map_or(' ', Origin::letter);
+    let with_margin = |line: &TextLine| {
+        let margin = format!("{} {}", letter(line), line.text);
+        (style(letter(line)), margin.trim_end().to_owned())
+    };
+    let mut all: Vec<_> = lines.iter().map(with_margin).collect();
+    all.push((Style::new(), String::new()));
+    let used = |(letter, _): &(char, &str)| all.iter().any(|(_, line)| line.starts_with(*letter));
+    let legend: Vec<_> = Origin::LEGEND
+        .into_iter()
+        .filter(used)
+        .map(|(letter, meaning)| (style(letter), format!("  {letter} {meaning}")))
+        .collect();
+    all.extend(legend);
+    all
+}
+
+/// The colour of an origin. What is printed has the terminal's own.
+fn style(letter: char) -> Style {
+    match letter {
+        's' => AnsiColor::Cyan.on_default(),
+        'f' => AnsiColor::Green.on_default(),
+        'a' => AnsiColor::Yellow.on_default(),
+        'e' => AnsiColor::Magenta.on_default(),
+        _ => Style::new(),
     }
 }
 

@@ -14,6 +14,7 @@ mod frame_folder;
 mod frame_row;
 mod licences;
 mod listing;
+mod listing_json;
 mod loss;
 mod memory;
 mod method_options;

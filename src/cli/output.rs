@@ -5,6 +5,7 @@
 use std::fmt::Display;
 use std::io::{ErrorKind, Write, stderr, stdout};
 
+use clap::builder::styling::Style;
 use onionskin::low_level::error::{printable, printable_json, printable_lines};
 use onionskin::{Error, Result};
 use serde::Serialize;
@@ -14,6 +15,13 @@ use super::flags::explained;
 /// Prints a result. Its reader may stop before the end (`| head`), which is not an error.
 pub(super) fn say(text: impl Display) -> Result<()> {
     print(&printable_lines(&text.to_string()))
+}
+
+/// Prints a result's lines in their styles, which only a terminal gets that wants colours (`NO_COLOR`).
+pub(super) fn say_styled(lines: &[(Style, String)]) -> Result<()> {
+    let styled = |(style, line): &(Style, String)| format!("{style}{}{style:#}", printable(line));
+    let lines: Vec<_> = lines.iter().map(styled).collect();
+    print_to(anstream::stdout(), &lines.join("\n"))
 }
 
 /// Prints one JSON object on a line of its own.
@@ -39,7 +47,10 @@ pub(super) fn complain(text: &str) {
 }
 
 fn print(text: &str) -> Result<()> {
-    let mut out = stdout();
+    print_to(stdout(), text)
+}
+
+fn print_to(mut out: impl Write, text: &str) -> Result<()> {
     match writeln!(out, "{text}").and_then(|()| out.flush()) {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(Error::Output {
             path: "standard output".into(),

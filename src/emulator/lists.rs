@@ -90,7 +90,7 @@ fn run_on_pixels<'a>(
         fragment: None,
         size: array,
     };
-    if algorithm.lines.first() == Some(&ListLine::Input) {
+    if algorithm.lines.contains(&ListLine::Input) {
         for pixel in 0..run.pixels.len() {
             run.resolve(pixel, algorithm, amendments, array)?;
         }
@@ -184,6 +184,7 @@ impl Run<'_> {
             // There is nothing to do here. The list exists, the size chooses the program, no volume has a state, and a
             // fragment that is not inserted is skipped.
             ListLine::Input
+            | ListLine::Margin(_)
             | ListLine::Note(_)
             | ListLine::ActivateProgram
             | ListLine::SizeOfLocalArray
@@ -298,7 +299,7 @@ impl Run<'_> {
                     Met::Statement(line, _) if until.is_some() => return Err(misplaced(line)),
                     Met::Statement(ListLine::Until(end), _) => until = Some(*end),
                     Met::Statement(line, scope) => self.line(line, scope, here)?,
-                    Met::Amendment(_) => {}
+                    Met::Amendment(_) | Met::ListLine(..) => {}
                 }
             }
             let end = until.ok_or_else(|| misplaced(&ListLine::Repeat(body)))?;

@@ -156,6 +156,7 @@ impl<'a> Run<'a> {
                     self.done.composited[pixel].push(fragment.order);
                 }
             }
+            Line::Margin(_) => {}
         }
         Ok(())
     }

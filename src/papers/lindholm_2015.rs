@@ -13,7 +13,7 @@ use super::paper::Paper;
 use super::stage::{self, COMPLEXITY, COUNTED, IMAGE_COLOR, ONE_EACH, OPAQUE_DEPTH};
 use crate::steps;
 use crate::steps::{
-    Amendment, Dialect, Format, Framebuffer, Holds, Listing, Map, Query, Resources, Shader,
+    Amendment, Dialect, Format, Framebuffer, Holds, Kind, Listing, Map, Query, Resources, Shader,
     Storage, Target, Text, gl::*,
 };
 
@@ -140,6 +140,7 @@ pub const CLEAR_AND_FILL: Listing = Listing {
 /// With framebuffer fetch the counters are colours of the framebuffer, and fragments take their turns.
 pub const ORDERED: Amendment = Amendment {
     key: "L04",
+    kind: Kind::Correction,
     place: "figure 3, Fill Step",
     printed: steps! {
         glColorMask(false, false, false, false);
@@ -154,6 +155,7 @@ pub const ORDERED: Amendment = Amendment {
 /// Step.
 pub const BEGIN_AT_OFFSETS: Amendment = Amendment {
     key: "L05",
+    kind: Kind::Correction,
     place: "figure 3, Clear Step",
     printed: steps! { glClearBufferuiv(0); },
     amended: steps! {
@@ -172,6 +174,7 @@ pub const BEGIN_AT_OFFSETS: Amendment = Amendment {
 /// plane and behind the far one (depths are clamped, and nothing is clipped).
 pub const PROXIES: Amendment = Amendment {
     key: "L16",
+    kind: Kind::Correction,
     place: "section 6.1, Fill Step",
     printed: steps! { drawTransparentObjects(); },
     amended: steps! {
@@ -241,6 +244,7 @@ pub const PP_AO: Listing = Listing {
 /// Step". Eight bits count to 255.
 pub const COUNT_WHILE_FILLING: Amendment = Amendment {
     key: "L10",
+    kind: Kind::Correction,
     place: "section 5.1, Fill Step",
     printed: steps! { drawTransparentObjects(); },
     amended: steps! {
@@ -269,6 +273,7 @@ pub const CLEAR_AND_COUNTING_FILL: Listing = Listing {
 /// the last segment takes every pixel that is left.
 pub const BY_COUNTER: Amendment = Amendment {
     key: "L5, L6, L7",
+    kind: Kind::Correction,
     place: "section 5.1, if depth complexity(p) <= i",
     printed: steps! {
         glUseProgramOfSize(RESOLVE_ALL, "i");
@@ -282,6 +287,7 @@ pub const BY_COUNTER: Amendment = Amendment {
 /// Goes with [`BY_COUNTER`].
 pub const NO_STENCIL: Amendment = Amendment {
     key: "L7",
+    kind: Kind::Correction,
     place: "section 6.2, stencil masking",
     printed: steps! {
         glEnable(STENCIL_TEST);

@@ -11,7 +11,7 @@ use crate::papers::everitt_2001::listing_1::LISTING_1;
 use crate::papers::{stage, vtk};
 use crate::steps;
 use crate::steps::{
-    Amendment, Dialect, Framebuffer, Holds, Listing, Query, Resources, Shader, Text, gl::*,
+    Amendment, Dialect, Framebuffer, Holds, Kind, Listing, Query, Resources, Shader, Text, gl::*,
 };
 
 /// Its texts.
@@ -42,6 +42,7 @@ pub const COPLANAR_PEELING: Listing = Listing {
 /// before them. The query counts these fragments, so that the number of missing fragments is known at the end.
 pub const EVERY_FRAGMENT: Amendment = Amendment {
     key: "V3",
+    kind: Kind::Correction,
     place: "Listing 1, save color buffer RGBA as layer i",
     printed: steps! { save color buffer RGBA as layer i; },
     amended: steps! {

@@ -17,7 +17,8 @@ use crate::papers::stage::{
 };
 use crate::steps;
 use crate::steps::{
-    Amendment, Dialect, Framebuffer, Holds, Listing, Map, Query, Resources, Shader, Text, gl::*,
+    Amendment, Dialect, Framebuffer, Holds, Kind, Listing, Map, Query, Resources, Shader, Text,
+    gl::*,
 };
 
 /// Its texts.
@@ -101,6 +102,7 @@ pub const BEFORE_PEELING: Listing = Listing {
 /// plane, so that the ordinary depth test of unit 1 culls fragments at or behind an opaque surface.
 pub const CULL_BY_OPAQUE: Amendment = Amendment {
     key: "V03",
+    kind: Kind::Correction,
     place: "Listing 1, depth unit 1, clear depth buffer",
     printed: steps! { clear depth buffer; },
     amended: steps! { glCopyImageSubData(OPAQUE_DEPTH, DEPTH_BUFFER_B); },
@@ -112,6 +114,7 @@ pub const CULL_BY_OPAQUE: Amendment = Amendment {
 /// the transparent objects are peeled.
 pub const QUERY: Amendment = Amendment {
     key: "V04",
+    kind: Kind::Correction,
     place: "Listing 1, render scene",
     printed: steps! { render scene; },
     amended: steps! {
@@ -130,6 +133,7 @@ pub const QUERY: Amendment = Amendment {
 /// do: it counts every fragment that lowered the depth, and those are more than the pixels that changed.
 pub const KEEP_DEPTH: Amendment = Amendment {
     key: "V02",
+    kind: Kind::Correction,
     place: "Listing 1, save color buffer RGBA as layer i",
     printed: steps! { save color buffer RGBA as layer i; },
     amended: steps! {
@@ -163,6 +167,7 @@ pub const KEEP_DEPTH: Amendment = Amendment {
 /// This does not hold for a layer that is saved. Clearing 32-bit float colours costs a twentieth of a peel.
 pub const NO_CLEAR: Amendment = Amendment {
     key: "V06",
+    kind: Kind::Correction,
     place: "Listing 1, clear color buffer",
     printed: steps! { clear color buffer; },
     amended: steps! {},
@@ -173,6 +178,7 @@ pub const NO_CLEAR: Amendment = Amendment {
 /// Instead of saving the layer, this puts it under the layers composited so far. The query counts the layer's pixels.
 pub const UNDER: Amendment = Amendment {
     key: "V06",
+    kind: Kind::Correction,
     place: "Listing 1, save color buffer RGBA as layer i",
     printed: steps! { save color buffer RGBA as layer i; },
     amended: steps! {
@@ -203,6 +209,7 @@ pub const UNDER: Amendment = Amendment {
 /// To [`COMPOSITE`](BACK_TO_FRONT): a layer does not cover every pixel, and those it covers are counted.
 pub const ONLY_THE_LAYER: Amendment = Amendment {
     key: "V06",
+    kind: Kind::Correction,
     place: "Putting It All Together, rendering each layer",
     printed: steps! { glUseProgram(LAYER); },
     amended: steps! {
@@ -217,6 +224,7 @@ pub const ONLY_THE_LAYER: Amendment = Amendment {
 /// Goes with [`ONLY_THE_LAYER`].
 pub const COUNT_THE_LAYER: Amendment = Amendment {
     key: "V06",
+    kind: Kind::Correction,
     place: "Putting It All Together, rendering each layer",
     printed: steps! { drawScreen(); },
     amended: steps! {

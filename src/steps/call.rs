@@ -54,7 +54,7 @@ macro_rules! calls {
 
         impl $enum {
             /// The call's name in OpenGL or in its paper, and its arguments' names and values.
-            pub(super) fn signature(&self) -> (&'static str, Vec<(&'static str, String)>) {
+            pub fn signature(&self) -> (&'static str, Vec<(&'static str, String)>) {
                 match self {
                     $(Self::$variant $({ $($field),+ })? => printed!(
                         $function [$($($field)+)?] $($name [$($shown $(= $value)?),*])?

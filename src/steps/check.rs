@@ -147,6 +147,7 @@ impl Found {
                 listing,
                 amendments,
             } => self.steps(listing.steps, scope.around(amendments)),
+            Step::Margin(_) => {}
         }
     }
 

@@ -17,7 +17,7 @@ macro_rules! constants {
         impl $name {
             /// OpenGL's name for it, without the `GL_`.
             #[allow(dead_code)] // not every set is printed without it
-            pub(super) const fn name(self) -> &'static str {
+            pub const fn name(self) -> &'static str {
                 match self {
                     $(Self::$constant => $text,)*
                 }

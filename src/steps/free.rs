@@ -77,6 +77,7 @@ impl Found {
                 self.steps(listing.steps);
                 self.amendments(amendments);
             }
+            Step::Margin(_) => {}
         }
     }
 

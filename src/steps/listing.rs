@@ -3,6 +3,7 @@
 use super::amend::{self, Ran, Statement};
 use super::call::Call;
 use super::expr::{Condition, Expr};
+use super::origin::Margin;
 
 /// An amendment: of a listing, unless it says of what.
 pub type Amendment<S = Step> = amend::Amendment<S>;
@@ -93,9 +94,18 @@ pub enum Step {
         /// The amendments to it.
         amendments: &'static [Amendment],
     },
+    /// Says where the steps that follow come from, or how the paper spells them. It is no step itself.
+    Margin(Margin),
 }
 
 impl Statement for Step {
+    fn margin(&self) -> Option<Margin> {
+        match *self {
+            Self::Margin(margin) => Some(margin),
+            _ => None,
+        }
+    }
+
     fn bodies(&self) -> [&'static [Self]; 2] {
         match *self {
             Self::DepthUnit { body, .. } | Self::For { body, .. } | Self::ForDown { body, .. } => {
@@ -104,7 +114,11 @@ impl Statement for Step {
             Self::If {
                 then, otherwise, ..
             } => [then, otherwise],
-            Self::Call(_) | Self::Let { .. } | Self::Stop { .. } | Self::Run { .. } => [&[], &[]],
+            Self::Call(_)
+            | Self::Let { .. }
+            | Self::Stop { .. }
+            | Self::Run { .. }
+            | Self::Margin(_) => [&[], &[]],
         }
     }
 

@@ -8,6 +8,8 @@
 /// - Branches: `if (i == 0) { ... } else { ... }`, `for (i in 0..num_passes) { ... }`,
 ///   `for (i in num_layers..0) { ... }` (downwards, from num_layers - 1 to 0),
 ///   `stop if (count == 0) because EmptyLayer;`, `run LISTING amended by AMENDMENTS;`.
+/// - [`Margin`](crate::steps::Margin)s: `printed;`, `prose "...";` and `edition "...";` say where the steps that follow come
+///   from; `spelt "...";` says how the paper spells the next one, and `line "...";` is a line of the paper that does nothing.
 ///
 /// ```
 /// use onionskin::low_level::steps::{*, gl::*};
@@ -36,6 +38,23 @@ macro_rules! steps {
 #[macro_export]
 macro_rules! steps_of {
     ([$($done:expr,)*]) => { &[$($done,)*] };
+
+    // Marks.
+    ([$($done:expr,)*] printed; $($rest:tt)*) => {
+        $crate::steps_of!([$($done,)* $crate::low_level::steps::Step::Margin($crate::margin_of!(printed)),] $($rest)*)
+    };
+    ([$($done:expr,)*] prose $quote:literal; $($rest:tt)*) => {
+        $crate::steps_of!([$($done,)* $crate::low_level::steps::Step::Margin($crate::margin_of!(prose $quote)),] $($rest)*)
+    };
+    ([$($done:expr,)*] edition $why:literal; $($rest:tt)*) => {
+        $crate::steps_of!([$($done,)* $crate::low_level::steps::Step::Margin($crate::margin_of!(edition $why)),] $($rest)*)
+    };
+    ([$($done:expr,)*] spelt $text:literal $(meaning $meaning:literal)?; $($rest:tt)*) => {
+        $crate::steps_of!([$($done,)* $crate::low_level::steps::Step::Margin($crate::margin_of!(spelt $text $(meaning $meaning)?)),] $($rest)*)
+    };
+    ([$($done:expr,)*] line $text:literal; $($rest:tt)*) => {
+        $crate::steps_of!([$($done,)* $crate::low_level::steps::Step::Margin($crate::margin_of!(line $text)),] $($rest)*)
+    };
 
     // Everitt's phrases.
     ([$($done:expr,)*] clear color buffer; $($rest:tt)*) => {
@@ -151,6 +170,39 @@ macro_rules! steps_of {
     // OpenGL's calls.
     ([$($done:expr,)*] $call:ident($($argument:expr),*); $($rest:tt)*) => {
         $crate::steps_of!([$($done,)* $crate::low_level::steps::Step::Call($crate::low_level::steps::gl::$call($($argument),*)),] $($rest)*)
+    };
+}
+
+#[doc(hidden)]
+#[macro_export]
+macro_rules! margin_of {
+    (printed) => {
+        $crate::low_level::steps::Margin::From($crate::low_level::steps::Origin::Printed)
+    };
+    (prose $quote:literal) => {
+        $crate::low_level::steps::Margin::From($crate::low_level::steps::Origin::Prose {
+            quote: $quote,
+        })
+    };
+    (edition $why:literal) => {
+        $crate::low_level::steps::Margin::From($crate::low_level::steps::Origin::Edition {
+            why: $why,
+        })
+    };
+    (spelt $text:literal) => {
+        $crate::low_level::steps::Margin::Spelt {
+            text: $text,
+            meaning: ::core::option::Option::None,
+        }
+    };
+    (spelt $text:literal meaning $meaning:literal) => {
+        $crate::low_level::steps::Margin::Spelt {
+            text: $text,
+            meaning: ::core::option::Option::Some($meaning),
+        }
+    };
+    (line $text:literal) => {
+        $crate::low_level::steps::Margin::Line($text)
     };
 }
 

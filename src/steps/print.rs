@@ -6,55 +6,76 @@ use super::amend::{Met, Scope};
 use super::call::{Call, ClassicCall};
 use super::constants::*;
 use super::expr::Condition;
+use super::lines::{Lines, TextLine, text};
 use super::listing::{Amendment, Dialect, Listing, Step};
 use super::names::{Index, Map};
 
-/// The listing as its paper prints it, with `amendments` applied. Without any amendment, it is as printed.
+/// The listing as its paper prints it, with `amendments` applied. Without any amendment, it is as it stands here.
 pub fn listing(listing: &Listing, amendments: &[Amendment]) -> String {
+    text(&lines(listing, amendments))
+}
+
+/// The lines of the listing, with `amendments` applied.
+pub fn lines(listing: &Listing, amendments: &[Amendment]) -> Vec<TextLine> {
     let mut printer = Printer {
         dialect: listing.dialect,
-        text: String::new(),
+        lines: Lines::of(listing.source),
     };
     printer.steps(listing.steps, Scope::of(amendments), 0);
-    printer.text
+    printer.lines.done()
 }
 
 struct Printer {
     dialect: Dialect,
-    text: String,
+    lines: Lines,
 }
 
 impl Printer {
-    fn line(&mut self, indent: usize, line: impl fmt::Display) {
-        self.text += &format!("{:1$}{line}\n", "", indent * 2);
+    fn lead(&self, indent: usize) -> String {
+        let width = match self.dialect {
+            Dialect::Phrases => 1,
+            Dialect::Calls | Dialect::Source => 2,
+        };
+        " ".repeat(indent * width)
+    }
+
+    /// The first line of a step.
+    fn line(&mut self, indent: usize, line: impl fmt::Display, scope: Scope<'_, Step>) {
+        self.lines.statement(&self.lead(indent), line, scope);
+    }
+
+    /// A further line of a step.
+    fn rest(&mut self, indent: usize, line: impl fmt::Display, scope: Scope<'_, Step>) {
+        self.lines.rest(&self.lead(indent), line, scope);
     }
 
     fn block(&mut self, indent: usize, body: &'static [Step], scope: Scope<'_, Step>) {
-        self.line(indent, "{");
+        self.rest(indent, "{", scope);
         self.steps(body, scope, indent + 1);
-        self.line(indent, "}");
+        self.rest(indent, "}", scope);
     }
 
     fn steps(&mut self, steps: &'static [Step], scope: Scope<'_, Step>, indent: usize) {
         for met in scope.walk(steps) {
             match met {
-                Met::Amendment(it) => self.line(indent, format_args!("// {}: {}", it.key, it.why)),
+                Met::Amendment(it) => self.lines.amendment(&self.lead(indent), it),
                 Met::Statement(step, scope) => self.step(step, scope, indent),
+                Met::Line(line, scope) => self.rest(indent, line, scope),
             }
         }
     }
 
     fn step(&mut self, step: &Step, scope: Scope<'_, Step>, indent: usize) {
         match *step {
-            Step::Call(call) => self.line(indent, self.call(&call)),
+            Step::Call(call) => self.line(indent, self.call(&call), scope),
             Step::DepthUnit { unit, body } => {
-                self.line(indent, format_args!("depth unit {unit}:"));
+                self.line(indent, format_args!("depth unit {unit}:"), scope);
                 self.steps(body, scope, indent + 1);
             }
             Step::Let { variable, value } => {
                 let end = self.end();
                 // Listing 1 writes an inner operation without spaces, `(i+1) % 2`; Expr does the same.
-                self.line(indent, format_args!("{variable} = {value}{end}"));
+                self.line(indent, format_args!("{variable} = {value}{end}"), scope);
             }
             Step::If {
                 condition,
@@ -67,7 +88,8 @@ impl Printer {
                 to,
                 body,
             } => {
-                self.line(indent, format_args!("for ({i}={from}; {i}<{to}; {i}++)"));
+                let line = format_args!("for ({i}={from}; {i}<{to}; {i}++)");
+                self.line(indent, line, scope);
                 self.block(indent, body, scope);
             }
             Step::ForDown {
@@ -75,26 +97,30 @@ impl Printer {
                 from,
                 body,
             } => {
-                self.line(indent, format_args!("for ({i}={from}-1; {i}>=0; {i}--)"));
+                let line = format_args!("for ({i}={from}-1; {i}>=0; {i}--)");
+                self.line(indent, line, scope);
                 self.block(indent, body, scope);
             }
             Step::Stop { when, why } => {
-                let end = self.end();
-                self.line(indent, format_args!("if({when}) break{end}  // {why}"));
+                let line = format!("if({when}) break{}  // {why}", self.end());
+                self.line(indent, line, scope);
             }
             Step::Run {
                 listing,
                 amendments,
-            } => {
-                self.line(
-                    indent,
-                    format_args!("// {}: {}", listing.source, listing.title),
-                );
-                let dialect = std::mem::replace(&mut self.dialect, listing.dialect);
-                self.steps(listing.steps, scope.around(amendments), indent);
-                self.dialect = dialect;
-            }
+            } => self.run(listing, scope.around(amendments), indent),
+            Step::Margin(_) => {}
         }
+    }
+
+    fn run(&mut self, listing: &Listing, scope: Scope<'_, Step>, indent: usize) {
+        let title = format!("{}: {}", listing.source, listing.title);
+        self.lines.note(&self.lead(indent), title, None);
+        let dialect = std::mem::replace(&mut self.dialect, listing.dialect);
+        let source = std::mem::replace(&mut self.lines.source, listing.source);
+        self.steps(listing.steps, scope, indent);
+        self.dialect = dialect;
+        self.lines.source = source;
     }
 
     fn branch(
@@ -105,19 +131,19 @@ impl Printer {
         scope: Scope<'_, Step>,
         indent: usize,
     ) {
-        self.line(indent, format_args!("if({condition})"));
-        let mut arm = |body: &'static [Step]| match body {
-            // A single statement needs no braces.
+        self.line(indent, format_args!("if({condition})"), scope);
+        self.arm(then, scope, indent);
+        if !otherwise.is_empty() {
+            self.rest(indent, "else", scope);
+            self.arm(otherwise, scope, indent);
+        }
+    }
+
+    /// A single statement needs no braces.
+    fn arm(&mut self, body: &'static [Step], scope: Scope<'_, Step>, indent: usize) {
+        match body {
             [_] => self.steps(body, scope, indent + 1),
             _ => self.block(indent, body, scope),
-        };
-        arm(then);
-        if !otherwise.is_empty() {
-            self.line(indent, "else");
-            match otherwise {
-                [_] => self.steps(otherwise, scope, indent + 1),
-                _ => self.block(indent, otherwise, scope),
-            }
         }
     }
 
@@ -140,7 +166,8 @@ impl Printer {
                 .into_iter()
                 .map(|(_, value)| value.replace("GL_", ""))
                 .collect();
-            format!("{name}({}){}", values.join(", "), self.end())
+            // As Carr et al. print them, without spaces.
+            format!("{name}({}){}", values.join(","), self.end())
         })
     }
 }

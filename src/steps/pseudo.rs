@@ -16,7 +16,9 @@ use std::fmt;
 
 use super::amend::{Met, Scope, Statement};
 use super::constants::{Compare, Objects};
+use super::lines::{Lines, TextLine, text};
 use super::listing::Amendment;
+use super::origin::Margin;
 
 /// An algorithm as its paper prints it, in statements that are [`Line`]s, or another paper's [`list::ListLine`]s.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -70,9 +72,18 @@ pub enum Line {
     Swap(&'static str, &'static str),
     /// `Composite fragment into color buffer`
     Composite,
+    /// Says where the lines that follow come from, or how the paper spells them. It is no statement itself.
+    Margin(Margin),
 }
 
 impl Statement for Line {
+    fn margin(&self) -> Option<Margin> {
+        match *self {
+            Self::Margin(margin) => Some(margin),
+            _ => None,
+        }
+    }
+
     fn bodies(&self) -> [&'static [Self]; 2] {
         match *self {
             Self::Pixels(body) | Self::Fragments { body, .. } | Self::While { body, .. } => {
@@ -81,7 +92,7 @@ impl Statement for Line {
             Self::If {
                 then, otherwise, ..
             } => [then, otherwise],
-            Self::Set { .. } | Self::Swap(..) | Self::Composite => [&[], &[]],
+            Self::Set { .. } | Self::Swap(..) | Self::Composite | Self::Margin(_) => [&[], &[]],
         }
     }
 }
@@ -116,80 +127,76 @@ pub enum Test {
 }
 
 /// The algorithm as its paper prints it, with numbered lines and with `amendments` applied. Without any amendment, it
-/// is as printed.
+/// is as it stands here.
 pub fn print(algorithm: &Pseudocode, amendments: &[Amendment<Line>]) -> String {
+    text(&lines(algorithm, amendments))
+}
+
+/// The lines of the algorithm, with `amendments` applied.
+pub fn lines(algorithm: &Pseudocode, amendments: &[Amendment<Line>]) -> Vec<TextLine> {
     let mut printer = Printer {
         number: 0,
-        text: String::new(),
+        lines: Lines::of(algorithm.source),
     };
     printer.lines(algorithm.lines, Scope::of(amendments), 0);
-    printer.text
+    printer.lines.done()
 }
 
 struct Printer {
     number: usize,
-    text: String,
+    lines: Lines,
 }
 
 impl Printer {
-    fn line(&mut self, indent: usize, line: impl fmt::Display) {
+    /// The first line of a statement.
+    fn line(&mut self, indent: usize, line: impl fmt::Display, scope: Scope<'_, Line>) {
+        let lead = self.lead(indent);
+        self.lines.statement(&lead, line, scope);
+    }
+
+    /// A further line of a statement.
+    fn rest(&mut self, indent: usize, line: impl fmt::Display, scope: Scope<'_, Line>) {
+        let lead = self.lead(indent);
+        self.lines.rest(&lead, line, scope);
+    }
+
+    /// The next line's number, and its indentation.
+    fn lead(&mut self, indent: usize) -> String {
         self.number += 1;
-        self.text += &format!(
-            "{:>2}: {:indent$}{line}\n",
-            self.number,
-            "",
-            indent = indent * 2
-        );
+        format!("{:>2}: {}", self.number, "  ".repeat(indent))
     }
 
     fn lines(&mut self, lines: &'static [Line], scope: Scope<'_, Line>, indent: usize) {
         for met in scope.walk(lines) {
             match met {
-                Met::Amendment(it) => self.text += &format!("    // {}: {}\n", it.key, it.why),
+                Met::Amendment(it) => self.lines.amendment("    ", it),
                 Met::Statement(line, scope) => self.statement(line, scope, indent),
+                Met::Line(line, scope) => self.rest(indent, line, scope),
             }
         }
     }
 
     fn statement(&mut self, line: &Line, scope: Scope<'_, Line>, indent: usize) {
-        match *line {
-            Line::Pixels(body) => {
-                self.line(indent, "for all pixel sample locations do");
-                self.lines(body, scope, indent + 1);
-                self.line(indent, "end for");
-            }
-            Line::Fragments { phrase, body, .. } => {
-                self.line(indent, format_args!("for all {phrase} do"));
-                self.lines(body, scope, indent + 1);
-                self.line(indent, "end for");
-            }
-            Line::While { flag, body } => {
-                self.line(indent, format_args!("while {flag} = true do"));
-                self.lines(body, scope, indent + 1);
-                self.line(indent, "end while");
-            }
-            Line::If {
-                test,
-                then,
-                otherwise,
-            } => {
-                self.line(indent, format_args!("if {test} then"));
-                self.lines(then, scope, indent + 1);
-                self.otherwise(otherwise, scope, indent);
-                self.line(indent, "end if");
-            }
-            Line::Set { variable, value } => {
-                self.line(indent, format_args!("{variable} <- {value}"));
-            }
-            Line::Swap(a, b) => self.line(indent, format_args!("swap({a}, {b})")),
-            Line::Composite => self.line(indent, "Composite fragment into color buffer"),
+        if let Line::Margin(_) = line {
+            return;
         }
+        self.line(indent, line.head(), scope);
+        let [body, otherwise] = line.bodies();
+        self.lines(body, scope, indent + 1);
+        self.otherwise(otherwise, scope, indent);
+        let end = match line {
+            Line::Pixels(_) | Line::Fragments { .. } => "end for",
+            Line::While { .. } => "end while",
+            Line::If { .. } => "end if",
+            _ => return,
+        };
+        self.rest(indent, end, scope);
     }
 
     /// An `if` that is the only statement of an `else` continues the chain.
     fn otherwise(&mut self, lines: &'static [Line], scope: Scope<'_, Line>, indent: usize) {
         let statement = |met| match met {
-            Met::Amendment(_) => None,
+            Met::Amendment(_) | Met::Line(..) => None,
             Met::Statement(line, scope) => Some((line, scope)),
         };
         let all: Vec<_> = scope.walk(lines).filter_map(statement).collect();
@@ -205,14 +212,30 @@ impl Printer {
                     scope,
                 ),
             ] => {
-                self.line(indent, format_args!("else if {test} then"));
+                self.line(indent, format_args!("else if {test} then"), scope);
                 self.lines(then, scope, indent + 1);
                 self.otherwise(otherwise, scope, indent);
             }
             _ => {
-                self.line(indent, "else");
+                self.rest(indent, "else", scope);
                 self.lines(lines, scope, indent + 1);
             }
+        }
+    }
+}
+
+impl Line {
+    /// The statement's own line, without the statements inside of it.
+    pub fn head(&self) -> String {
+        match *self {
+            Self::Pixels(_) => "for all pixel sample locations do".into(),
+            Self::Fragments { phrase, .. } => format!("for all {phrase} do"),
+            Self::While { flag, .. } => format!("while {flag} = true do"),
+            Self::If { test, .. } => format!("if {test} then"),
+            Self::Set { variable, value } => format!("{variable} ← {value}"),
+            Self::Swap(a, b) => format!("swap({a}, {b})"),
+            Self::Composite => "Composite fragment into color buffer".into(),
+            Self::Margin(_) => String::new(),
         }
     }
 }

@@ -1,7 +1,9 @@
 //! A printed text in any of the papers' ways of writing, with its amendments.
 
 use super::amend::Statement;
+use super::lines::{self, TextLine};
 use super::listing::{Amendment, Listing};
+use super::origin::Reading;
 use super::print;
 use super::pseudo::{self, Pseudocode, list};
 
@@ -38,22 +40,19 @@ impl Text {
         }
     }
 
-    /// The same text without its amendments.
-    #[must_use]
-    pub const fn as_printed(self) -> Self {
-        match self {
-            Self::Listing(listing, _) => Self::Listing(listing, &[]),
-            Self::Pseudocode(algorithm, _) => Self::Pseudocode(algorithm, &[]),
-            Self::Lists(algorithm, _) => Self::Lists(algorithm, &[]),
-        }
+    /// The text the way its paper writes it, read like this.
+    pub fn print(&self, reading: Reading) -> String {
+        lines::text(&self.lines(reading))
     }
 
-    /// The text the way its paper writes it, with its amendments in place.
-    pub fn print(&self) -> String {
+    /// The lines of the text, read like this.
+    pub fn lines(&self, reading: Reading) -> Vec<TextLine> {
         match self {
-            Self::Listing(listing, amendments) => print::listing(listing, amendments),
-            Self::Pseudocode(algorithm, amendments) => pseudo::print(algorithm, amendments),
-            Self::Lists(algorithm, amendments) => list::print(algorithm, amendments),
+            Self::Listing(listing, amendments) => print::lines(listing, &reading.of(amendments)),
+            Self::Pseudocode(algorithm, amendments) => {
+                pseudo::lines(algorithm, &reading.of(amendments))
+            }
+            Self::Lists(algorithm, amendments) => list::lines(algorithm, &reading.of(amendments)),
         }
     }
 

@@ -162,6 +162,7 @@ impl<M: Machine> Walk<'_, M> {
             } => {
                 self.steps(listing.steps, scope.around(amendments))?;
             }
+            Step::Margin(_) => {}
         }
         Ok(Flow::On)
     }

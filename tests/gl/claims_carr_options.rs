@@ -143,6 +143,7 @@ fn everything_as_printed_gives_another_image() {
 fn x8_what_never_ends_is_given_up_and_says_so() {
     const AS_PRINTED: Amendment = Amendment {
         key: "X8 undone",
+        kind: onionskin::low_level::steps::Kind::Correction,
         place: "section 5.2, pass 6",
         printed: steps! { glUseProgram(AT_BOUND); },
         amended: steps! { glUseProgram(AT_BOUND_AS_PRINTED); },

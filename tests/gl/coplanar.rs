@@ -179,6 +179,7 @@ fn the_detector_finds_what_blending_by_max_merges() {
     // Dual peeling as it was published, for the back: one blend equation for all draw buffers.
     const MAX_FOR_ALL: &[Amendment] = &[Amendment {
         key: "",
+        kind: onionskin::low_level::steps::Kind::Correction,
         place: "",
         printed: steps! { glBlendFunci(2, ONE_MINUS_DST_ALPHA, ONE); },
         amended: steps! { glBlendEquationi(2, MAX); },

@@ -5,6 +5,7 @@ use onionskin::low_level::steps::{Amendment, Step};
 pub const fn changed(printed: &'static [Step], amended: &'static [Step]) -> Amendment {
     Amendment {
         key: "",
+        kind: onionskin::low_level::steps::Kind::Correction,
         place: "",
         printed,
         amended,

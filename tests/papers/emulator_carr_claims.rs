@@ -66,6 +66,7 @@ fn c14_an_overflow_of_pass_1_costs_iterations_but_loses_nothing() {
 fn c14_wrapping_instead_of_saturating_loses_nothing_either() {
     const WRAP: Amendment = Amendment {
         key: "wrap",
+        kind: onionskin::low_level::steps::Kind::Correction,
         place: "pass 1",
         printed: steps! { glStencilOp(KEEP, KEEP, INCR); },
         amended: steps! { glStencilOp(KEEP, KEEP, INCR_WRAP); },
@@ -207,6 +208,7 @@ fn pass_2_is_only_an_accelerator() {
     // Any z_min_prev at or behind the right one is safe: passes 3 and 4 find what it misses as the run's end.
     const SKIPPED: Amendment = Amendment {
         key: "skipped",
+        kind: onionskin::low_level::steps::Kind::Correction,
         place: "section 5.1, pass 2",
         printed: steps! { run steps_of_pass_2::PASS_2; },
         amended: steps! { glClearDepth(1.0); glClear(DEPTH_BUFFER_BIT); },

@@ -45,6 +45,7 @@ fn x6_a_range_that_is_open_below_loses_s_n() {
     // Section 4.2's "tight bound" (D(sn), ...]: the first surface itself is never composited.
     const OPEN_BELOW: Amendment = Amendment {
         key: "X6",
+        kind: onionskin::low_level::steps::Kind::Correction,
         place: "section 4.2",
         printed: steps! { run coherent::RANGE_5; },
         amended: steps! { run coherent::RANGE_5; glUseProgram(onionskin::low_level::papers::carr_2008::OPEN_CLOSED); },
@@ -108,6 +109,7 @@ fn x9_surfaces_on_the_near_plane_are_lost() {
 fn x10_counting_pass_5_alone_ends_the_loop_too_early() {
     const PASS_5_ONLY: Amendment = Amendment {
         key: "X10",
+        kind: onionskin::low_level::steps::Kind::Correction,
         place: "section 5.2, the query",
         printed: steps! { run coherent::PASS_6; glEndQuery(onionskin::low_level::papers::carr_2008::COMPOSITED); },
         amended: steps! { glEndQuery(onionskin::low_level::papers::carr_2008::COMPOSITED); run coherent::PASS_6; },

@@ -112,6 +112,7 @@ fn c11_pass_5_composites_the_run_and_pass_6_what_ends_it() {
 fn figure_2_with_one_changed_word_is_another_trace() {
     const WORD: Amendment = Amendment {
         key: "changed",
+        kind: onionskin::low_level::steps::Kind::Correction,
         place: "pass 3",
         printed: steps! { glStencilOp(KEEP, INVERT, INCR); },
         amended: steps! { glStencilOp(KEEP, KEEP, INCR); },

@@ -15,3 +15,4 @@ mod emulator_lists;
 mod lindholm;
 mod listings;
 mod listings_carr;
+mod print;

@@ -11,7 +11,7 @@ use crate::pseudo;
 use crate::steps;
 use crate::steps::pseudo::{Line, Pseudocode};
 use crate::steps::{
-    Amendment, Dialect, Framebuffer, Holds, Listing, Map, Query, Resources, Shader, gl::*,
+    Amendment, Dialect, Framebuffer, Holds, Kind, Listing, Map, Query, Resources, Shader, gl::*,
 };
 
 /// Algorithm 1, line by line.
@@ -19,6 +19,7 @@ pub const ALGORITHM_1: Pseudocode = Pseudocode {
     title: "Hybrid Layer Peeling",
     source: "Carr et al. 2008, Algorithm 1",
     lines: pseudo! {
+        printed;
         for all pixel sample locations do {
             zPeel <- zNear;
         }
@@ -31,6 +32,7 @@ pub const ALGORITHM_1: Pseudocode = Pseudocode {
             for all Unsorted "unsorted geometry fragment locations" do {
                 if (zPeel < zFragment < zPeelNext) then {
                     zPeelNext <- zFragment;
+                    spelt "gChanged ← true ▷ occlusion query";
                     gChanged <- true;
                 }
             }
@@ -55,6 +57,7 @@ pub const ALGORITHM_1: Pseudocode = Pseudocode {
 pub const AMENDMENTS_1: [Amendment<Line>; 3] = [
     Amendment {
         key: "X21",
+        kind: Kind::Correction,
         place: "Algorithm 1, line 2",
         printed: pseudo! { zPeel <- zNear; },
         amended: pseudo! { zPeel <- before zNear; },
@@ -63,6 +66,7 @@ pub const AMENDMENTS_1: [Amendment<Line>; 3] = [
     },
     Amendment {
         key: "X19",
+        kind: Kind::Correction,
         place: "Algorithm 1, line 17",
         printed: pseudo! {
             if (zPeel < zFragment < zPeelNext) then {
@@ -79,6 +83,7 @@ pub const AMENDMENTS_1: [Amendment<Line>; 3] = [
     },
     Amendment {
         key: "X20",
+        kind: Kind::Correction,
         place: "Algorithm 1, line 23",
         printed: pseudo! {
             if (zFragment = zPeelNext) then {
@@ -235,6 +240,7 @@ const UNSORTED_AT_PEEL: Listing = Listing {
 pub const AMENDMENTS: [Amendment; 3] = [
     Amendment {
         key: "X21",
+        kind: Kind::Correction,
         place: "Algorithm 1, line 2",
         printed: steps! { glUseProgram(OPEN_OPEN); },
         // A depth map cannot hold a depth before the near plane.
@@ -250,6 +256,7 @@ pub const AMENDMENTS: [Amendment; 3] = [
     },
     Amendment {
         key: "X19",
+        kind: Kind::Correction,
         place: "Algorithm 1, line 17",
         printed: steps! { glUseProgram(BETWEEN_PEELS_AS_PRINTED); },
         amended: steps! { glUseProgram(CLOSED_OPEN); },
@@ -258,6 +265,7 @@ pub const AMENDMENTS: [Amendment; 3] = [
     },
     Amendment {
         key: "X20",
+        kind: Kind::Correction,
         place: "Algorithm 1, line 23",
         printed: steps! { glUseProgram(AT_BOUND_AS_PRINTED); },
         amended: steps! { glUseProgram(AT_BOUND); },

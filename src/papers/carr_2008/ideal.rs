@@ -9,8 +9,8 @@ use crate::pseudo;
 use crate::steps;
 use crate::steps::pseudo::{Line, Pseudocode};
 use crate::steps::{
-    Amendment, Dialect, Format, Framebuffer, Holds, Listing, Map, Query, Resources, Shader, Target,
-    gl::*,
+    Amendment, Dialect, Format, Framebuffer, Holds, Kind, Listing, Map, Query, Resources, Shader,
+    Target, gl::*,
 };
 
 /// Algorithm 2, line by line.
@@ -18,24 +18,33 @@ pub const ALGORITHM_2: Pseudocode = Pseudocode {
     title: "Ideal Coherent Layer Peel",
     source: "Carr et al. 2008, Algorithm 2",
     lines: pseudo! {
+        printed;
         for all pixel sample locations do {
             z3 <- zNear;
         }
         gChanged <- true;
         while gChanged = true do {
+            spelt "gChanged ← false;";
             gChanged <- false;
             for all pixel sample locations do {
+                spelt "z1 ← zOpaque;";
                 z1 <- zOpaque;
+                spelt "z2 ← zOpaque;";
                 z2 <- zOpaque;
+                spelt "zPeel ← z3;";
                 zPeel <- z3;
                 zPostFlag <- false;
             }
+            spelt "for all geometry sample locations do ▷ Pass 1";
             for all Transparent "geometry sample locations" do {
+                spelt "if (zPeel < zFragment < z2) then";
                 if (zPeel < zFragment < z2) then {
+                    spelt "gChanged ← true;";
                     gChanged <- true;
                     if (zFragment < z1) then {
                         z2 <- z1;
                         z1 <- zFragment;
+                        spelt "z3 ← z1 ▷ Reset the state for post";
                         z3 <- z1;
                         zPostFlag <- false;
                     } else if (zPostFlag = true) then {
@@ -53,7 +62,9 @@ pub const ALGORITHM_2: Pseudocode = Pseudocode {
                 }
             }
             if (gChanged = true) then {
+                spelt "for all geometry sample locations do ▷ Pass 2";
                 for all Transparent "geometry sample locations" do {
+                    spelt "if (zPeel < zFragment < z3) then";
                     if (zPeel < zFragment < z3) then {
                         composite;
                     }
@@ -69,6 +80,7 @@ pub const AMENDMENTS_2: [Amendment<Line>; 2] = [RESET_Z3, BEFORE_OPAQUE];
 /// A pixel with nothing left keeps `z3`, hence `zPeel`, and composites its last layer again in every further iteration.
 pub const RESET_Z3: Amendment<Line> = Amendment {
     key: "X22",
+    kind: Kind::Correction,
     place: "Algorithm 2, line 10",
     printed: pseudo! { zPeel <- z3; },
     amended: pseudo! {
@@ -82,6 +94,7 @@ pub const RESET_Z3: Amendment<Line> = Amendment {
 /// If nothing is left, `zPeel` becomes the opaque depth.
 pub const BEFORE_OPAQUE: Amendment<Line> = Amendment {
     key: "X22",
+    kind: Kind::Correction,
     place: "Algorithm 2, line 31",
     printed: pseudo! {
         if (zFragment = zPeel) then {
@@ -102,6 +115,7 @@ pub const BEFORE_OPAQUE: Amendment<Line> = Amendment {
 pub const TIGHT_BOUND: [Amendment<Line>; 4] = [
     Amendment {
         key: "X23",
+        kind: Kind::Correction,
         place: "Algorithm 2, lines 1 to 3",
         printed: pseudo! { z3 <- zNear; },
         amended: pseudo! {
@@ -114,6 +128,7 @@ pub const TIGHT_BOUND: [Amendment<Line>; 4] = [
     },
     Amendment {
         key: "X23",
+        kind: Kind::Correction,
         place: "Algorithm 2, lines 8 to 10",
         printed: pseudo! {
             z1 <- zOpaque;
@@ -131,6 +146,7 @@ pub const TIGHT_BOUND: [Amendment<Line>; 4] = [
     BEFORE_OPAQUE,
     Amendment {
         key: "X23",
+        kind: Kind::Correction,
         place: "Algorithm 2, line 37",
         printed: pseudo! {
             if (zPeel < zFragment < z3) then {
@@ -201,6 +217,7 @@ const FROM_THE_NEAR_PLANE: Listing = Listing {
 pub const AMENDMENTS: [Amendment; 2] = [
     Amendment {
         key: "X22",
+        kind: Kind::Correction,
         place: "Algorithm 2, line 10",
         printed: steps! { glUseProgram(BEGIN_AS_PRINTED); },
         amended: steps! { glUseProgram(BEGIN); },
@@ -209,6 +226,7 @@ pub const AMENDMENTS: [Amendment; 2] = [
     },
     Amendment {
         key: "X22",
+        kind: Kind::Correction,
         place: "Algorithm 2, line 31",
         printed: steps! { glUseProgram(PASS_1_AS_PRINTED); },
         amended: steps! { glUseProgram(PASS_1); },
@@ -221,6 +239,7 @@ pub const AMENDMENTS: [Amendment; 2] = [
 pub const TIGHT_BOUND_ON_GL: [Amendment; 3] = [
     Amendment {
         key: "X23",
+        kind: Kind::Correction,
         place: "Algorithm 2, lines 8 to 10",
         printed: steps! { glUseProgram(BEGIN_AS_PRINTED); },
         amended: steps! { glUseProgram(BEGIN_TIGHT); },
@@ -230,6 +249,7 @@ pub const TIGHT_BOUND_ON_GL: [Amendment; 3] = [
     AMENDMENTS[1],
     Amendment {
         key: "X23",
+        kind: Kind::Correction,
         place: "Algorithm 2, line 37",
         printed: steps! { glUseProgram(PASS_2_AS_PRINTED); },
         amended: steps! { glUseProgram(PASS_2_TIGHT); },
@@ -242,6 +262,7 @@ pub const TIGHT_BOUND_ON_GL: [Amendment; 3] = [
 pub const BY_IMAGES: [Amendment; 3] = [
     Amendment {
         key: "images",
+        kind: Kind::Correction,
         place: "Algorithm 2, lines 1 to 3",
         printed: steps! { glClear(COLOR_BUFFER_BIT); },
         amended: steps! {
@@ -257,6 +278,7 @@ pub const BY_IMAGES: [Amendment; 3] = [
     },
     Amendment {
         key: "images",
+        kind: Kind::Correction,
         place: "Algorithm 2, behind lines 7 to 12",
         printed: steps! { drawScreen(); },
         amended: steps! { drawScreen(); glMemoryBarrier(); },
@@ -265,6 +287,7 @@ pub const BY_IMAGES: [Amendment; 3] = [
     },
     Amendment {
         key: "images",
+        kind: Kind::Correction,
         place: "Algorithm 2, behind each pass",
         printed: steps! { drawTransparentObjects(); },
         amended: steps! { drawTransparentObjects(); glMemoryBarrier(); },

@@ -3,6 +3,8 @@
 //! State persists from pass to pass: pass 2 clears to the depth that pass 1 has set, and to the stencil function of its
 //! own. The paper's prose around the listings says to which range the shader clips, and where the results go; see
 //! [`coherent`](super::coherent).
+//!
+//! The comments behind three calls are the paper's: the places of glStencilOp's arguments.
 
 use crate::steps;
 use crate::steps::{Dialect, Listing, gl::*};
@@ -13,6 +15,7 @@ pub const PASS_1: Listing = Listing {
     source: "Carr et al. 2008, section 5.1, pass 1",
     dialect: Dialect::Calls,
     steps: steps! {
+        printed;
         glClearStencil(0);
         glClearDepth(1.0);
         glStencilMask(0xFF);
@@ -21,6 +24,7 @@ pub const PASS_1: Listing = Listing {
         glDepthFunc(LESS);
         glEnable(STENCIL_TEST);
         glStencilFunc(ALWAYS, 0, 0xFF);
+        spelt "glStencilOp(KEEP,KEEP,INCR); ▷ fail,zfail,zpass";
         glStencilOp(KEEP, KEEP, INCR);
         drawTransparentObjects();
     },
@@ -32,6 +36,7 @@ pub const PASS_2: Listing = Listing {
     source: "Carr et al. 2008, section 5.1, pass 2",
     dialect: Dialect::Calls,
     steps: steps! {
+        printed;
         glClearColor(1.0, 1.0, 1.0, 1.0);
         glClear(COLOR_AND_DEPTH_BUFFER_BITS);
         glEnable(DEPTH_TEST);
@@ -49,13 +54,16 @@ pub const PASS_3: Listing = Listing {
     source: "Carr et al. 2008, section 5.1, pass 3",
     dialect: Dialect::Calls,
     steps: steps! {
+        printed;
         glClearStencil(0);
+        spelt "glClearDepth(0);";
         glClearDepth(0.0);
         glClear(DEPTH_AND_STENCIL_BUFFER_BITS);
         glEnable(DEPTH_TEST);
         glDepthFunc(GREATER);
         glEnable(STENCIL_TEST);
         glStencilFunc(GREATER, 128, 0xFF);
+        spelt "glStencilOp(KEEP,INVERT,INCR); ▷ fail,zfail,zpass";
         glStencilOp(KEEP, INVERT, INCR);
         drawTransparentObjects();
     },
@@ -67,11 +75,13 @@ pub const PASS_4: Listing = Listing {
     source: "Carr et al. 2008, section 5.1, pass 4",
     dialect: Dialect::Calls,
     steps: steps! {
+        printed;
         glClearColor(1.0, 1.0, 1.0, 1.0);
         glClearDepth(1.0);
         glClear(COLOR_AND_DEPTH_BUFFER_BITS);
         glDepthFunc(LESS);
         glStencilFunc(EQUAL, 255, 0xFF);
+        spelt "glStencilOp(INCR,KEEP,KEEP); ▷ fail,zfail,zpass";
         glStencilOp(INCR, KEEP, KEEP);
         drawTransparentObjects();
     },
@@ -83,6 +93,7 @@ pub const SECTION_6: Listing = Listing {
     source: "Carr et al. 2008, section 6",
     dialect: Dialect::Calls,
     steps: steps! {
+        printed;
         glClearStencil(0);
         glClearDepth(1.0);
         glClearColor(1.0, 1.0, 1.0, 1.0);
@@ -91,6 +102,7 @@ pub const SECTION_6: Listing = Listing {
         glEnable(DEPTH_TEST);
         glDepthFunc(LESS);
         glEnable(BLEND);
+        spelt "glBlendFuncSeparate(ZERO,DEST_ALPHA,ONE,ZERO);" meaning "GL_DST_ALPHA";
         glBlendFuncSeparate(ZERO, DEST_ALPHA, ONE, ZERO);
         drawTransparentObjects();
     },

@@ -2,7 +2,7 @@
 
 use crate::papers::stage::LAYER;
 use crate::steps;
-use crate::steps::{Amendment, Dialect, Listing, Map, Resources, gl::*};
+use crate::steps::{Amendment, Dialect, Kind, Listing, Map, Resources, gl::*};
 
 /// "Putting It All Together": the layers as viewport-sized textured quads, back to front.
 pub const COMPOSITE: Listing = Listing {
@@ -27,6 +27,7 @@ pub const COMPOSITE: Listing = Listing {
 /// 1 - a`, less than 1 wherever there is a layer. On a screen this is invisible, but not in a file.
 pub const ALPHA: Amendment = Amendment {
     key: "E12",
+    kind: Kind::Correction,
     place: "Putting It All Together, the blending function",
     printed: steps! { glBlendFunc(SRC_ALPHA, ONE_MINUS_SRC_ALPHA); },
     amended: steps! { glBlendFuncSeparate(SRC_ALPHA, ONE_MINUS_SRC_ALPHA, ONE, ONE_MINUS_SRC_ALPHA); },

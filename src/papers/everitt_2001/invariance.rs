@@ -5,7 +5,7 @@
 
 use crate::papers::stage;
 use crate::steps;
-use crate::steps::{Amendment, Map, Resources, Shader, Step};
+use crate::steps::{Amendment, Kind, Map, Resources, Shader, Step};
 
 /// The stored depth is the rasteriser's.
 pub const WINDOW_Z: &[Amendment] = &[
@@ -30,6 +30,7 @@ pub const TRIED: Resources = Resources {
 const fn program(amended: &'static [Step]) -> Amendment {
     Amendment {
         key: "E06",
+        kind: Kind::Correction,
         place: "Listing 1, render scene",
         printed: steps! { glUseProgram(stage::PEEL_SURFACE); },
         amended,
@@ -54,6 +55,7 @@ const UNIFORMS: crate::steps::Listing = crate::steps::Listing {
 /// A shader that compares has to be told that the first pass has no comparison.
 const PASS_0: Amendment = Amendment {
     key: "E06",
+    kind: Kind::Correction,
     place: "Listing 1, depth unit 0",
     printed: steps! {
         if (i == 0) {
@@ -79,6 +81,7 @@ const PASS_0: Amendment = Amendment {
 /// The same texture where it can be read without comparison.
 const TEXELS: Amendment = Amendment {
     key: "E06",
+    kind: Kind::Correction,
     place: "Listing 1, depth unit 0, bind buffer A",
     printed: steps! { bind buffer A; },
     amended: steps! {

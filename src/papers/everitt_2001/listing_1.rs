@@ -9,6 +9,7 @@ pub const LISTING_1: Listing = Listing {
     source: "Everitt 2001, Listing 1",
     dialect: Dialect::Phrases,
     steps: steps! {
+        printed;
         for (i in 0..num_passes) {
             clear color buffer;
             A = i % 2;

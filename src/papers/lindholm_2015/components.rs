@@ -2,9 +2,9 @@
 //! corrections.
 
 use crate::lists;
-use crate::steps::Amendment;
 use crate::steps::pseudo::Pseudocode;
 use crate::steps::pseudo::list::ListLine;
+use crate::steps::{Amendment, Kind};
 
 /// The static Local Array: "allocate a fixed sized array, of size N per thread". "All fragments beyond this number are
 /// discarded": beyond it in the Fragment List, whose order the paper leaves open. As the lists of figure 4 are filled
@@ -37,6 +37,7 @@ pub const NEAREST: Pseudocode<ListLine> = Pseudocode {
 /// To [`STATIC_ARRAY`], if the nearest are to be kept.
 pub const KEEP_NEAREST: Amendment<ListLine> = Amendment {
     key: "L09",
+    kind: Kind::Correction,
     place: "section 4, all fragments beyond this number are discarded",
     printed: lists! { resolve segment with Local Array; },
     amended: lists! { resolve segment by NEAREST; },
@@ -49,6 +50,7 @@ pub const PP_AO: Pseudocode<ListLine> = Pseudocode {
     title: "per-pixel Array Optimization",
     source: "Lindholm et al. 2015, section 5.1",
     lines: lists! {
+        printed;
         note "Fill Step";
         forall pixels do {
             count depth complexity;
@@ -72,6 +74,7 @@ pub const PP_DP: Pseudocode<ListLine> = Pseudocode {
     title: "per-pixel Depth Peeling",
     source: "Lindholm et al. 2015, section 5.2",
     lines: lists! {
+        printed;
         input list of fragments;
         n <- sizeof Local Array;
         create buffer with n elements;
@@ -101,6 +104,7 @@ pub const PP_DP_AMENDMENTS: [Amendment<ListLine>; 4] = [START, SKIP_BY_ID, STORE
 /// Erratum L4.
 pub const START: Amendment<ListLine> = Amendment {
     key: "L4",
+    kind: Kind::Correction,
     place: "section 5.2, set min depth to 0",
     printed: lists! { set min depth to 0; },
     amended: lists! { set min depth before all; },
@@ -111,6 +115,7 @@ pub const START: Amendment<ListLine> = Amendment {
 /// Erratum L1.
 pub const SKIP_BY_ID: Amendment<ListLine> = Amendment {
     key: "L1",
+    kind: Kind::Correction,
     place: "section 5.2, if depth(f) ≤ min depth",
     printed: lists! {
         if (depth <= min depth) then {
@@ -137,6 +142,7 @@ pub const SKIP_BY_ID: Amendment<ListLine> = Amendment {
 /// Erratum L1, where the next subpass begins.
 pub const STORE_ID: Amendment<ListLine> = Amendment {
     key: "L1",
+    kind: Kind::Correction,
     place: "section 5.2, store min depth",
     printed: lists! { store min depth of last buffer element; },
     amended: lists! { store min depth and id of last buffer element; },
@@ -147,6 +153,7 @@ pub const STORE_ID: Amendment<ListLine> = Amendment {
 /// Erratum L3. The printed condition, read as a count, never holds once a fragment is lost.
 pub const STOP: Amendment<ListLine> = Amendment {
     key: "L3",
+    kind: Kind::Correction,
     place: "section 5.2, until all fragments are resolved",
     printed: lists! { until all fragments are resolved; },
     amended: lists! { until no element was dropped; },
@@ -158,6 +165,7 @@ pub const STOP: Amendment<ListLine> = Amendment {
 /// element". This is from the text beside the pseudocode.
 pub const AS_THE_TEXT_SAYS: Amendment<ListLine> = Amendment {
     key: "L2",
+    kind: Kind::Correction,
     place: "section 5.2, resolve buffer",
     printed: lists! { resolve buffer; },
     amended: lists! { resolve buffer, on overflow its first n - 1 elements; },
@@ -174,6 +182,7 @@ pub const N_MINUS_1: [Amendment<ListLine>; 5] = [
     Amendment {
         amended: lists! { store min depth and id of last resolved element; },
         key: "L2",
+        kind: Kind::Correction,
         why: "the n-th was not resolved",
         ..STORE_ID
     },
@@ -184,6 +193,7 @@ pub const N_MINUS_1: [Amendment<ListLine>; 5] = [
 /// needed. The last segment takes every pixel that is left, and peels the fragments that its array cannot hold.
 pub const PP_AO_AMENDMENT: Amendment<ListLine> = Amendment {
     key: "L5, L6, L7",
+    kind: Kind::Correction,
     place: "section 5.1, if depth complexity(p) <= i",
     printed: lists! {
         if (depth complexity <= i) then {
@@ -241,6 +251,7 @@ pub const fn by_stencil(
     [
         Amendment {
             key: "6.2",
+            kind: Kind::Correction,
             place: "section 5.1, count depth complexity",
             printed: lists! { count depth complexity; },
             amended: counter,
@@ -249,6 +260,7 @@ pub const fn by_stencil(
         },
         Amendment {
             key: "6.2",
+            kind: Kind::Correction,
             place: "section 5.1, if depth complexity(p) <= i",
             amended: masked,
             why: "different segments are triggered by the stencil function",

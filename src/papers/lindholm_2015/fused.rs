@@ -3,9 +3,9 @@
 
 use super::components::{PP_DP, SKIP_BY_ID, START, STOP, STORE_ID};
 use crate::lists;
-use crate::steps::Amendment;
 use crate::steps::pseudo::Pseudocode;
 use crate::steps::pseudo::list::ListLine;
+use crate::steps::{Amendment, Kind};
 
 /// "Ray casting of the scene is performed by sequentially looping over all entries in the Fragment List. Geometry fragments
 /// are blended directly while volume rendering is performed for the interleaved ray segments. Volume occupancy is tracked
@@ -33,6 +33,7 @@ pub const FUSED_AMENDMENTS: [Amendment<ListLine>; 2] = [BEGIN_INSIDE, END_AT_OPA
 /// The eye may be inside of a volume.
 pub const BEGIN_INSIDE: Amendment<ListLine> = Amendment {
     key: "L16",
+    kind: Kind::Correction,
     place: "section 6.1, volume occupancy is tracked",
     printed: lists! { begin ray outside; },
     amended: lists! { begin ray inside what is only left; },
@@ -43,6 +44,7 @@ pub const BEGIN_INSIDE: Amendment<ListLine> = Amendment {
 /// Proxies behind the opaque surface must be in the list, so that it says where the ray begins.
 pub const END_AT_OPAQUE: Amendment<ListLine> = Amendment {
     key: "L16",
+    kind: Kind::Correction,
     place: "section 6.1, the interleaved ray segments",
     printed: lists! { cast ray up to f; },
     amended: lists! { cast ray up to f or opaque depth; },
@@ -60,6 +62,7 @@ pub const FUSED_PP_DP: [Amendment<ListLine>; 6] = [
     STOP,
     Amendment {
         key: "L17",
+        kind: Kind::Correction,
         place: "section 5.2, initialize current state",
         printed: lists! { initialize current state; },
         amended: lists! { begin ray inside what is only left; },
@@ -72,6 +75,7 @@ pub const FUSED_PP_DP: [Amendment<ListLine>; 6] = [
 /// "Resolve buffer considering current state", with volumes.
 pub const EVALUATE_BUFFER: Amendment<ListLine> = Amendment {
     key: "L17",
+    kind: Kind::Correction,
     place: "section 5.2, resolve buffer considering current state",
     printed: lists! { resolve buffer; },
     amended: lists! {

@@ -6,7 +6,8 @@
 use std::fmt;
 
 use super::Pseudocode;
-use crate::steps::{Amendment, Met, Ran, Scope, Statement};
+use crate::steps::lines::{Lines, TextLine, text};
+use crate::steps::{Amendment, Margin, Met, Ran, Scope, Statement};
 
 /// One statement.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -76,9 +77,19 @@ pub enum ListLine {
     Toggle,
     /// `blend f;`
     Blend,
+
+    /// Says where the lines that follow come from, or how the paper spells them. It is no statement itself.
+    Margin(Margin),
 }
 
 impl Statement for ListLine {
+    fn margin(&self) -> Option<Margin> {
+        match *self {
+            Self::Margin(margin) => Some(margin),
+            _ => None,
+        }
+    }
+
     fn bodies(&self) -> [&'static [Self]; 2] {
         match *self {
             Self::Pixels(body)
@@ -205,15 +216,23 @@ pub enum Mark {
     Invert,
 }
 
-/// The algorithm as its paper prints it, with `amendments` applied. Without any amendment, it is as printed.
+/// The algorithm as its paper prints it, with `amendments` applied. Without any amendment, it is as it stands here.
 pub fn print(algorithm: &Pseudocode<ListLine>, amendments: &[Amendment<ListLine>]) -> String {
-    let mut text = String::new();
-    print_lines(&mut text, algorithm.lines, Scope::of(amendments), 0);
-    text
+    text(&lines(algorithm, amendments))
+}
+
+/// The lines of the algorithm, with `amendments` applied.
+pub fn lines(
+    algorithm: &Pseudocode<ListLine>,
+    amendments: &[Amendment<ListLine>],
+) -> Vec<TextLine> {
+    let mut lines = Lines::of(algorithm.source);
+    print_lines(&mut lines, algorithm.lines, Scope::of(amendments), 0);
+    lines.done()
 }
 
 fn print_lines(
-    text: &mut String,
+    done: &mut Lines,
     lines: &'static [ListLine],
     scope: Scope<'_, ListLine>,
     indent: usize,
@@ -226,19 +245,20 @@ fn print_lines(
                     [ListLine::Until(_), ..] => indent - 1,
                     _ => indent,
                 };
-                print_line(text, indent, format_args!("// {}: {}", it.key, it.why));
+                done.amendment(&lead(indent), it);
             }
-            Met::Statement(line, scope) => print_statement(text, line, scope, indent),
+            Met::Statement(line, scope) => print_statement(done, line, scope, indent),
+            Met::ListLine(line, scope) => done.rest(&lead(indent), line, scope),
         }
     }
 }
 
-fn print_statement(text: &mut String, line: &ListLine, scope: Scope<'_, ListLine>, indent: usize) {
+fn print_statement(done: &mut Lines, line: &ListLine, scope: Scope<'_, ListLine>, indent: usize) {
     match line {
-        ListLine::Until(_) => print_line(text, indent - 1, line),
+        ListLine::Until(_) => done.statement(&lead(indent - 1), line, scope),
         ListLine::Repeat(body) => {
-            print_line(text, indent, line);
-            print_lines(text, body, scope, indent + 1);
+            done.statement(&lead(indent), line, scope);
+            print_lines(done, body, scope, indent + 1);
         }
         ListLine::Pixels(body)
         | ListLine::UnresolvedPixels(body)
@@ -246,25 +266,25 @@ fn print_statement(text: &mut String, line: &ListLine, scope: Scope<'_, ListLine
         | ListLine::Fragments(body)
         | ListLine::Sorted(body)
         | ListLine::Elements(body) => {
-            print_line(text, indent, line);
-            print_lines(text, body, scope, indent + 1);
-            print_line(text, indent, "end");
+            done.statement(&lead(indent), line, scope);
+            print_lines(done, body, scope, indent + 1);
+            done.rest(&lead(indent), "end", scope);
         }
         ListLine::If(_, then, otherwise) => {
-            print_line(text, indent, line);
-            print_lines(text, then, scope, indent + 1);
+            done.statement(&lead(indent), line, scope);
+            print_lines(done, then, scope, indent + 1);
             if !otherwise.is_empty() {
-                print_line(text, indent, "else");
-                print_lines(text, otherwise, scope, indent + 1);
+                done.rest(&lead(indent), "else", scope);
+                print_lines(done, otherwise, scope, indent + 1);
             }
-            print_line(text, indent, "end");
+            done.rest(&lead(indent), "end", scope);
         }
-        _ => print_line(text, indent, line),
+        _ => done.statement(&lead(indent), line, scope),
     }
 }
 
-fn print_line(text: &mut String, indent: usize, line: impl fmt::Display) {
-    *text += &format!("{:width$}{line}\n", "", width = indent * 2);
+fn lead(indent: usize) -> String {
+    "  ".repeat(indent)
 }
 
 /// A statement's own line, without the statements inside of it.
@@ -333,6 +353,7 @@ impl fmt::Display for ListLine {
             }
             Self::Toggle => "toggle the volume of f in occupancy;",
             Self::Blend => "blend f;",
+            Self::Margin(_) => "",
         })
     }
 }
@@ -340,7 +361,7 @@ impl fmt::Display for ListLine {
 impl fmt::Display for ListTest {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            Self::FitsSegment => "depth complexity(p) <= i",
+            Self::FitsSegment => "depth complexity(p)<= i",
             Self::StencilFitsSegment => "stencil(p) <= min(i, 255)",
             Self::InSegment => {
                 "previous i < depth complexity(p) and (depth complexity(p) <= i or i = max)"

@@ -30,6 +30,24 @@ macro_rules! pseudo {
 #[macro_export]
 macro_rules! pseudo_lines {
     ([$($done:expr,)*]) => { &[$($done,)*] };
+
+    // Marks.
+    ([$($done:expr,)*] printed; $($rest:tt)*) => {
+        $crate::pseudo_lines!([$($done,)* $crate::low_level::steps::pseudo::Line::Margin($crate::margin_of!(printed)),] $($rest)*)
+    };
+    ([$($done:expr,)*] prose $quote:literal; $($rest:tt)*) => {
+        $crate::pseudo_lines!([$($done,)* $crate::low_level::steps::pseudo::Line::Margin($crate::margin_of!(prose $quote)),] $($rest)*)
+    };
+    ([$($done:expr,)*] edition $why:literal; $($rest:tt)*) => {
+        $crate::pseudo_lines!([$($done,)* $crate::low_level::steps::pseudo::Line::Margin($crate::margin_of!(edition $why)),] $($rest)*)
+    };
+    ([$($done:expr,)*] spelt $text:literal; $($rest:tt)*) => {
+        $crate::pseudo_lines!([$($done,)* $crate::low_level::steps::pseudo::Line::Margin($crate::margin_of!(spelt $text)),] $($rest)*)
+    };
+    ([$($done:expr,)*] line $text:literal; $($rest:tt)*) => {
+        $crate::pseudo_lines!([$($done,)* $crate::low_level::steps::pseudo::Line::Margin($crate::margin_of!(line $text)),] $($rest)*)
+    };
+
     ([$($done:expr,)*] for all pixel sample locations do { $($body:tt)* } $($rest:tt)*) => {
         $crate::pseudo_lines!([$($done,)* $crate::low_level::steps::pseudo::Line::Pixels($crate::pseudo!($($body)*)),] $($rest)*)
     };
@@ -210,6 +228,23 @@ macro_rules! lists {
 #[macro_export]
 macro_rules! list_lines {
     ([$($done:expr,)*]) => { &[$($done,)*] };
+
+    // Marks.
+    ([$($done:expr,)*] printed; $($rest:tt)*) => {
+        $crate::list_lines!([$($done,)* ListLine::Margin($crate::margin_of!(printed)),] $($rest)*)
+    };
+    ([$($done:expr,)*] prose $quote:literal; $($rest:tt)*) => {
+        $crate::list_lines!([$($done,)* ListLine::Margin($crate::margin_of!(prose $quote)),] $($rest)*)
+    };
+    ([$($done:expr,)*] edition $why:literal; $($rest:tt)*) => {
+        $crate::list_lines!([$($done,)* ListLine::Margin($crate::margin_of!(edition $why)),] $($rest)*)
+    };
+    ([$($done:expr,)*] spelt $text:literal; $($rest:tt)*) => {
+        $crate::list_lines!([$($done,)* ListLine::Margin($crate::margin_of!(spelt $text)),] $($rest)*)
+    };
+    ([$($done:expr,)*] line $text:literal; $($rest:tt)*) => {
+        $crate::list_lines!([$($done,)* ListLine::Margin($crate::margin_of!(line $text)),] $($rest)*)
+    };
 
     // Loops and branches.
     ([$($done:expr,)*] forall pixels do { $($body:tt)* } $($rest:tt)*) => {

@@ -6,7 +6,7 @@ use crate::papers::carr_2008::passes::{PASS_1, SECTION_6};
 use crate::papers::carr_2008::shared::*;
 use crate::papers::stage::{OPAQUE_DEPTH, PEEL};
 use crate::steps;
-use crate::steps::{Amendment, gl::*};
+use crate::steps::{Amendment, Kind, gl::*};
 
 /// All corrections, in the paper's order.
 pub const AMENDMENTS: [Amendment; 10] = [
@@ -25,6 +25,7 @@ pub const AMENDMENTS: [Amendment; 10] = [
 /// One framebuffer holds the passes' depths and the image, and the passes clear its color.
 pub const CLEAN_STATE: Amendment = Amendment {
     key: "X13",
+    kind: Kind::Correction,
     place: "section 5.1, before pass 1; section 6, before pass 3",
     printed: steps! { glBindFramebuffer(PEEL); },
     amended: steps! {
@@ -39,6 +40,7 @@ pub const CLEAN_STATE: Amendment = Amendment {
 /// The same for section 6's pass, whose color is the depth map.
 pub const CLEAN_STATE_B: Amendment = Amendment {
     key: "X12",
+    kind: Kind::Correction,
     place: "section 6, before the pass",
     printed: steps! { glBindFramebuffer(PREVIOUS); },
     amended: steps! {
@@ -53,6 +55,7 @@ pub const CLEAN_STATE_B: Amendment = Amendment {
 /// "(D(sc), ..." leaves out surfaces on the near plane.
 pub const FIRST_CLOSED: Amendment = Amendment {
     key: "X9",
+    kind: Kind::Correction,
     place: "section 5.1, initial D(sc), pass 1",
     printed: steps! { glUseProgram(OPEN_OPEN); },
     amended: steps! {
@@ -69,6 +72,7 @@ pub const FIRST_CLOSED: Amendment = Amendment {
 /// The same in variant B.
 pub const FIRST_CLOSED_B: Amendment = Amendment {
     key: "X9",
+    kind: Kind::Correction,
     place: "section 6, initial D(sc)",
     printed: steps! { glUseProgram(PREVIOUS_DEPTH); },
     amended: steps! {
@@ -85,6 +89,7 @@ pub const FIRST_CLOSED_B: Amendment = Amendment {
 /// Pass 2 counts back what pass 1 has counted, so both must see the same surfaces.
 pub const PASS_2_OPEN: Amendment = Amendment {
     key: "X11",
+    kind: Kind::Correction,
     place: "section 5.1, pass 2, the range",
     printed: steps! { glUseProgram(OPEN_CLOSED); },
     amended: FIRST_CLOSED.amended,
@@ -96,6 +101,7 @@ pub const PASS_2_OPEN: Amendment = Amendment {
 /// destination color by it.
 pub const MOVE_DEPTH: Amendment = Amendment {
     key: "X16",
+    kind: Kind::Correction,
     place: "section 6, the blend function",
     printed: steps! { glBlendFuncSeparate(ZERO, DEST_ALPHA, ONE, ZERO); },
     amended: steps! { glBlendFuncSeparate(DEST_ALPHA, ZERO, ONE, ZERO); },
@@ -106,6 +112,7 @@ pub const MOVE_DEPTH: Amendment = Amendment {
 /// If the range is closed above, passes 3 and 4 meet the surface at `z_min_prev` again, which always breaks the run.
 pub const RUN_HALF_OPEN: Amendment = Amendment {
     key: "X4",
+    kind: Kind::Correction,
     place: "section 5.1, the range of passes 3 and 4",
     printed: steps! { run RANGE_3; },
     amended: steps! { run RANGE_3 amended by &[HALF_OPEN]; },
@@ -116,6 +123,7 @@ pub const RUN_HALF_OPEN: Amendment = Amendment {
 /// If the range is closed above, pass 5 composites the surface that pass 6 composites.
 pub const COMPOSITE_HALF_OPEN: Amendment = Amendment {
     key: "X5",
+    kind: Kind::Correction,
     place: "section 5.2, pass 5, the range",
     printed: steps! { run RANGE_5; },
     amended: steps! { run RANGE_5 amended by &[HALF_OPEN]; },
@@ -126,6 +134,7 @@ pub const COMPOSITE_HALF_OPEN: Amendment = Amendment {
 /// The text does not say that pass 4's tests are disabled before pass 5.
 pub const NO_TESTS: Amendment = Amendment {
     key: "X12",
+    kind: Kind::Correction,
     place: "section 5.2, before pass 5",
     printed: steps! { run PASS_5; },
     amended: steps! {
@@ -141,6 +150,7 @@ pub const NO_TESTS: Amendment = Amendment {
 /// [lower, upper] becomes [lower, upper).
 pub const HALF_OPEN: Amendment = Amendment {
     key: "X3",
+    kind: Kind::Correction,
     place: "section 5, the ends of the ranges",
     printed: steps! { glUseProgram(CLOSED_CLOSED); },
     amended: steps! { glUseProgram(CLOSED_OPEN); },
@@ -151,6 +161,7 @@ pub const HALF_OPEN: Amendment = Amendment {
 /// If the bound is the opaque depth, pass 6 would composite surfaces exactly on the opaque surface, in every iteration.
 pub const BEFORE_OPAQUE: Amendment = Amendment {
     key: "X8",
+    kind: Kind::Correction,
     place: "section 5.2, pass 6",
     printed: steps! { glUseProgram(AT_BOUND_AS_PRINTED); },
     amended: steps! { glUseProgram(AT_BOUND); },
@@ -161,6 +172,7 @@ pub const BEFORE_OPAQUE: Amendment = Amendment {
 /// An improvement: surfaces of equal depth do not break a run, as in Algorithm 2.
 pub const TIE_FRIENDLY: Amendment = Amendment {
     key: "GEQUAL",
+    kind: Kind::Correction,
     place: "section 5.1, pass 3",
     printed: steps! { glDepthFunc(GREATER); },
     amended: steps! { glDepthFunc(GEQUAL); },
@@ -171,6 +183,7 @@ pub const TIE_FRIENDLY: Amendment = Amendment {
 /// An improvement: if nothing is left, pass 1 finds nothing, five passes before the compositing phase notices it.
 pub const STOP_ON_PASS_1: Amendment = Amendment {
     key: "early stop",
+    kind: Kind::Correction,
     place: "section 5.2, the end of the loop",
     printed: steps! { run PASS_1; },
     amended: steps! {
@@ -187,6 +200,7 @@ pub const STOP_ON_PASS_1: Amendment = Amendment {
 /// The same in variant B.
 pub const STOP_ON_SECTION_6: Amendment = Amendment {
     key: "early stop",
+    kind: Kind::Correction,
     place: "section 5.2, the end of the loop",
     printed: steps! { run SECTION_6; },
     amended: steps! {
@@ -203,6 +217,7 @@ pub const STOP_ON_SECTION_6: Amendment = Amendment {
 /// An improvement (section 9): the range ends at a batch's end if that lies before the opaque depth.
 pub const UP_TO_THE_BATCH_END: Amendment = Amendment {
     key: "batches",
+    kind: Kind::Correction,
     place: "section 9; section 5.1, the ranges",
     printed: steps! { glBindTexture(OPAQUE_DEPTH); },
     amended: steps! { glBindTexture(BATCH_END); },

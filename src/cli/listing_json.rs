@@ -1,0 +1,219 @@
+//! The JSON object of a listing, for `listing --json`. Its names are part of the command line's interface.
+//!
+//! | name | value |
+//! | --- | --- |
+//! | `key`, `title`, `source`, `reading` | the name on the command line, what it does, where it is printed, how it is read |
+//! | `lines` | the printed text, line by line: `text`, `note`, `source`, `number` among the printed lines, `origin` |
+//! | `steps` | the same as data, with the amendments of the reading in place |
+//!
+//! An `origin` has `is` (printed, prose, filling, amendment or edition) and, as far as it has them, `quote`, `key`, `why`,
+//! `rests_on` and `test`. Each step has `origin`, and `step`, which says what it is:
+//!
+//! | `step` | besides |
+//! | --- | --- |
+//! | `call` | `name`, and `arguments` with their names |
+//! | `let` | `variable`, `value` |
+//! | `if` | `when`, `then`, `otherwise` |
+//! | `for`, `for-down` | `variable`, `from`, `to` (of a `for`), `body` |
+//! | `stop` | `when`, `why` |
+//! | `depth-unit` | `unit`, `body` |
+//! | `run` | `title`, `source`, `body` |
+//! | any other | `text`, and of pseudocode that has statements inside, `body` and `otherwise` |
+//!
+//! An expression is a number, the name of a variable, `{"samples": query}`, or `[operator, a, b]`; a condition is
+//! `[comparison, a, b]`.
+
+use onionskin::Text;
+use onionskin::low_level::steps::{
+    Amendment, Condition, Expr, Met, Origin, Reading, Scope, Statement, Step, TextLine, pseudo,
+};
+use serde_json::{Map, Value, json};
+
+/// The object of a text.
+pub(super) fn object(key: &str, text: &Text, reading: Reading) -> Value {
+    let steps = match text {
+        Text::Listing(listing, amendments) => tree(listing.steps, &reading.of(amendments), step),
+        Text::Pseudocode(algorithm, amendments) => {
+            tree(algorithm.lines, &reading.of(amendments), pseudocode)
+        }
+        Text::Lists(algorithm, amendments) => {
+            tree(algorithm.lines, &reading.of(amendments), on_lists)
+        }
+    };
+    let lines: Vec<_> = text.lines(reading).iter().map(line).collect();
+    json!({
+        "key": key,
+        "title": text.title(),
+        "source": text.source(),
+        "reading": reading.name(),
+        "lines": lines,
+        "steps": steps,
+    })
+}
+
+fn line(line: &TextLine) -> Value {
+    json!({
+        "text": line.text,
+        "note": line.note,
+        "source": line.source,
+        "number": line.number,
+        "origin": line.origin.map(origin),
+    })
+}
+
+fn origin(origin: Origin) -> Value {
+    let is = origin.name();
+    match origin {
+        Origin::Printed => json!({ "is": is }),
+        Origin::Prose { quote } => json!({ "is": is, "quote": quote }),
+        Origin::Filling { key, why, rests_on } => {
+            json!({ "is": is, "key": key, "why": why, "rests_on": rests_on })
+        }
+        Origin::Amendment { key, why, test } => {
+            json!({ "is": is, "key": key, "why": why, "test": test })
+        }
+        Origin::Edition { why } => json!({ "is": is, "why": why }),
+    }
+}
+
+/// Makes an object of a statement. Statements inside of it are in the scope.
+type Maker<S> = fn(&'static S, Scope<'_, S>) -> Value;
+
+fn tree<S: Statement>(
+    statements: &'static [S],
+    amendments: &[Amendment<S>],
+    make: Maker<S>,
+) -> Value {
+    body(statements, Scope::of(amendments), make)
+}
+
+fn body<S: Statement>(statements: &'static [S], scope: Scope<'_, S>, make: Maker<S>) -> Value {
+    let made = scope.walk(statements).filter_map(|met| match met {
+        Met::Amendment(_) | Met::ListLine(..) => None,
+        Met::Statement(statement, scope) => Some(with_origin(make(statement, scope), scope)),
+    });
+    made.collect()
+}
+
+fn with_origin<S: Statement>(mut object: Value, scope: Scope<'_, S>) -> Value {
+    object["origin"] = scope.origin().map_or(Value::Null, origin);
+    if let Some(spelling) = scope.spelling() {
+        object["spelt"] = spelling.text.into();
+    }
+    object
+}
+
+fn step(step: &'static Step, scope: Scope<'_, Step>) -> Value {
+    let inside = |steps| body(steps, scope, self::step);
+    match *step {
+        Step::Call(call) => {
+            let (name, arguments) = call.signature();
+            let named = arguments
+                .into_iter()
+                .map(|(name, value)| (name.to_owned(), value.into()));
+            json!({ "step": "call", "name": name, "arguments": named.collect::<Map<_, _>>() })
+        }
+        Step::DepthUnit { unit, body } => {
+            json!({ "step": "depth-unit", "unit": unit, "body": inside(body) })
+        }
+        Step::Let { variable, value } => {
+            json!({ "step": "let", "variable": variable, "value": expr(&value) })
+        }
+        Step::If {
+            condition,
+            then,
+            otherwise,
+        } => json!({
+            "step": "if",
+            "when": when(&condition),
+            "then": inside(then),
+            "otherwise": inside(otherwise),
+        }),
+        Step::For {
+            variable,
+            from,
+            to,
+            body,
+        } => json!({
+            "step": "for",
+            "variable": variable,
+            "from": expr(&from),
+            "to": expr(&to),
+            "body": inside(body),
+        }),
+        Step::ForDown {
+            variable,
+            from,
+            body,
+        } => json!({
+            "step": "for-down",
+            "variable": variable,
+            "from": expr(&from),
+            "body": inside(body),
+        }),
+        Step::Stop {
+            when: condition,
+            why,
+        } => {
+            json!({ "step": "stop", "when": when(&condition), "why": why.to_string() })
+        }
+        Step::Run {
+            listing,
+            amendments,
+        } => json!({
+            "step": "run",
+            "title": listing.title,
+            "source": listing.source,
+            "body": body(listing.steps, scope.around(amendments), self::step),
+        }),
+        Step::Margin(_) => Value::Null,
+    }
+}
+
+fn expr(expr: &Expr) -> Value {
+    match *expr {
+        Expr::Number(number) => json!(number),
+        Expr::Variable(name) => json!(name),
+        Expr::Samples(query) => json!({ "samples": query.0 }),
+        Expr::Sum(a, b) => json!(["+", self::expr(a), self::expr(b)]),
+        Expr::Difference(a, b) => json!(["-", self::expr(a), self::expr(b)]),
+        Expr::Product(a, b) => json!(["*", self::expr(a), self::expr(b)]),
+        Expr::Remainder(a, b) => json!(["%", self::expr(a), self::expr(b)]),
+    }
+}
+
+fn when(condition: &Condition) -> Value {
+    let [a, b] = [&condition.left, &condition.right].map(expr);
+    json!([condition.compare.name(), a, b])
+}
+
+fn pseudocode(line: &'static pseudo::Line, scope: Scope<'_, pseudo::Line>) -> Value {
+    inner(line, line.head(), scope, pseudocode)
+}
+
+fn on_lists(
+    line: &'static pseudo::list::ListLine,
+    scope: Scope<'_, pseudo::list::ListLine>,
+) -> Value {
+    inner(line, line.to_string(), scope, on_lists)
+}
+
+/// A line of pseudocode, and what stands inside of it or is run by it.
+fn inner<S: Statement>(
+    line: &'static S,
+    text: String,
+    scope: Scope<'_, S>,
+    make: Maker<S>,
+) -> Value {
+    let mut object = json!({ "step": "line", "text": text });
+    let [first, second] = line.bodies();
+    if let Some((lines, amendments)) = line.runs() {
+        object["body"] = body(lines, scope.around(amendments), make);
+    } else if !first.is_empty() {
+        object["body"] = body(first, scope, make);
+    }
+    if !second.is_empty() {
+        object["otherwise"] = body(second, scope, make);
+    }
+    object
+}
