@@ -227,6 +227,7 @@ impl Emulator {
                         *self.queries.entry(query).or_default() += 1;
                     }
                     let goes_under = self.state.blend.is_some_and(|blend| blend.is_under())
+                        && self.state.color_mask != [false; 4]
                         && attached.color.is_some();
                     if goes_under && objects != Objects::Screen {
                         self.composited[pixel].push(surface.fragment.order);

@@ -29,6 +29,7 @@ pub const DUAL_DEPTH_PEELING: Listing = Listing {
     source: "Bavoil and Myers 2008",
     dialect: Dialect::Calls,
     steps: steps! {
+        edition "the paper's algorithm, in calls of OpenGL 4";
         run stage::OPAQUE_FIRST;
         run NOTHING_PEELED;
         run FIRST_DEPTHS;

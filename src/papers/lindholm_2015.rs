@@ -61,15 +61,19 @@ pub const COMPLEXITY_IMAGE: Listing = Listing {
     source: "Lindholm et al. 2015, section 3.1",
     dialect: Dialect::Calls,
     steps: steps! {
+        prose "all geometries and volume bounding boxes are rendered into an integer image";
         glBindFramebuffer(COUNTED);
         glClearBufferuiv(0);
+        prose "when rendering the complexity image, both shading and blending are disabled";
         glColorMask(false, false, false, false);
         glDepthMask(false);
         glDisable(BLEND);
+        prose "the pixels of this image act as atomic counters and are incremented by the incoming fragments";
         glBindImageTexture(0, COMPLEXITY);
         glUseProgram(COUNT_ATOMICALLY);
         drawTransparentObjects();
         glMemoryBarrier();
+        edition "as it was before";
         glColorMask(true, true, true, true);
         glDepthMask(true);
     },
@@ -81,6 +85,7 @@ pub const COUNT_BY_STENCIL: Listing = Listing {
     source: "Lindholm et al. 2015, section 6.2",
     dialect: Dialect::Calls,
     steps: steps! {
+        prose "the ppAO component is implemented using an 8bit stencil buffer";
         glBindFramebuffer(COUNTED);
         glClearStencil(0);
         glClear(STENCIL_BUFFER_BIT);
@@ -103,6 +108,7 @@ pub const CLEAR_COST: Listing = Listing {
     source: "onionskin",
     dialect: Dialect::Calls,
     steps: steps! {
+        edition "what the Resolve Step costs is counted";
         glBindFramebuffer(RESOLVED);
         glClearBufferuiv(1);
     },
@@ -114,11 +120,13 @@ pub const CLEAR_AND_FILL: Listing = Listing {
     source: "Lindholm et al. 2015, figure 3",
     dialect: Dialect::Calls,
     steps: steps! {
-        // Clear Step
+        prose "three sequential steps as illustrated in Figure 3: the Clear Step, the Fill Step, and the Resolve Step";
+        line "// Clear Step";
         glBindFramebuffer(CLEARED);
         glClearBufferuiv(0);
         glClearBufferuiv(1);
-        // Fill Step: fill fragment list
+        prose "capture and store a list of rasterized fragments on a per-pixel basis (called Fragment List)";
+        line "// Fill Step: fill fragment list";
         glBindFramebuffer(FILL);
         glDepthMask(false);
         glBindImageTexture(0, COUNTER);
@@ -133,6 +141,7 @@ pub const CLEAR_AND_FILL: Listing = Listing {
         glUseProgram(FILL_ATOMICALLY);
         drawTransparentObjects();
         glMemoryBarrier();
+        edition "as it was before";
         glColorMask(true, true, true, true);
     },
 };
@@ -140,7 +149,7 @@ pub const CLEAR_AND_FILL: Listing = Listing {
 /// With framebuffer fetch the counters are colours of the framebuffer, and fragments take their turns.
 pub const ORDERED: Amendment = Amendment {
     key: "L04",
-    kind: Kind::Correction,
+    kind: Kind::Edition,
     place: "figure 3, Fill Step",
     printed: steps! {
         glColorMask(false, false, false, false);
@@ -155,7 +164,7 @@ pub const ORDERED: Amendment = Amendment {
 /// Step.
 pub const BEGIN_AT_OFFSETS: Amendment = Amendment {
     key: "L05",
-    kind: Kind::Correction,
+    kind: Kind::Prose("the explicit pointer holds a base offset into the pool"),
     place: "figure 3, Clear Step",
     printed: steps! { glClearBufferuiv(0); },
     amended: steps! {
@@ -174,7 +183,7 @@ pub const BEGIN_AT_OFFSETS: Amendment = Amendment {
 /// plane and behind the far one (depths are clamped, and nothing is clipped).
 pub const PROXIES: Amendment = Amendment {
     key: "L16",
-    kind: Kind::Correction,
+    kind: Kind::Prose("only the associated proxy geometry is rendered during the Fill Step"),
     place: "section 6.1, Fill Step",
     printed: steps! { drawTransparentObjects(); },
     amended: steps! {
@@ -195,6 +204,7 @@ pub const OPAQUE_ENDS_RAYS: Listing = Listing {
     source: "onionskin",
     dialect: Dialect::Calls,
     steps: steps! {
+        edition "opaque surfaces end rays";
         glCopyImageSubData(OPAQUE_DEPTH, RAY_ENDS);
         glActiveTexture(5);
         glBindTexture(RAY_ENDS);
@@ -208,9 +218,12 @@ pub const RESOLVE: Listing = Listing {
     source: "Lindholm et al. 2015, figure 3",
     dialect: Dialect::Calls,
     steps: steps! {
+        edition "what the Resolve Step reads and writes";
         run BEFORE_RESOLVE;
+        prose "the prevalent approach ... is to allocate a fixed sized array, of size N per thread";
         glUseProgramOfSize(RESOLVE_ALL, "N");
         drawScreen();
+        edition "as it was before";
         run AFTER_RESOLVE;
     },
 };
@@ -223,10 +236,14 @@ pub const PP_AO: Listing = Listing {
     source: "Lindholm et al. 2015, sections 5.1 and 6.2",
     dialect: Dialect::Calls,
     steps: steps! {
+        edition "what the Resolve Step reads and writes";
         run BEFORE_RESOLVE;
+        prose "the ppAO component is implemented using an 8bit stencil buffer for masking the different complexity segments";
         glEnable(STENCIL_TEST);
         glStencilOp(KEEP, KEEP, INVERT);
+        edition "the resolved pixels are counted";
         glBeginQuery(COVERED);
+        prose "enclosed in a loop on the CPU, where different segments are triggered by modifying the OpenGL stencil function";
         i = 8;
         for (segment in 0..num_segments) {
             glUseProgramOfSize(RESOLVE_ALL, "i");
@@ -234,7 +251,9 @@ pub const PP_AO: Listing = Listing {
             drawScreen();
             i = i * 2;
         }
+        edition "the resolved pixels are counted";
         glEndQuery(COVERED);
+        edition "as it was before";
         glDisable(STENCIL_TEST);
         run AFTER_RESOLVE;
     },
@@ -244,7 +263,7 @@ pub const PP_AO: Listing = Listing {
 /// Step". Eight bits count to 255.
 pub const COUNT_WHILE_FILLING: Amendment = Amendment {
     key: "L10",
-    kind: Kind::Correction,
+    kind: Kind::Prose("the counting can be combined with the scene rasterization in the Fill Step"),
     place: "section 5.1, Fill Step",
     printed: steps! { drawTransparentObjects(); },
     amended: steps! {

@@ -25,6 +25,7 @@ pub const WEIGHTED_BLENDED: Listing = Listing {
     source: "McGuire and Bavoil 2013",
     dialect: Dialect::Calls,
     steps: steps! {
+        edition "the paper's equations, in calls of OpenGL 4";
         run stage::OPAQUE_FIRST;
         run ADD_UP;
         run COMPOSITE;

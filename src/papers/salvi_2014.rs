@@ -28,6 +28,7 @@ pub const FOUR_NODES: Listing = Listing {
     source: "Salvi and Vaidyanathan 2014",
     dialect: Dialect::Calls,
     steps: steps! {
+        edition "the paper's algorithm, in calls of OpenGL 4";
         run stage::OPAQUE_FIRST;
         run INSERT;
         run FIRST_NODES;
@@ -41,6 +42,7 @@ pub const EIGHT_NODES: Listing = Listing {
     source: "Salvi and Vaidyanathan 2014",
     dialect: Dialect::Calls,
     steps: steps! {
+        edition "the paper's algorithm, in calls of OpenGL 4";
         run stage::OPAQUE_FIRST;
         run INSERT;
         run FIRST_NODES;

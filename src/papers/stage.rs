@@ -16,6 +16,7 @@ pub const OPAQUE_FIRST: Listing = Listing {
     source: "VTK, Implementation notes",
     dialect: Dialect::Calls,
     steps: steps! {
+        prose "As we first render opaque geometry, we use it to cull transparent geometry";
         glBindFramebuffer(IMAGE);
         glClearDepth(1.0);
         glDepthMask(true);
@@ -33,6 +34,7 @@ pub const CLEAR_ACCUMULATION: Listing = Listing {
     source: "the common stage",
     dialect: Dialect::Calls,
     steps: steps! {
+        edition "layers are accumulated apart from the opaque image";
         glBindFramebuffer(ACCUMULATION);
         glClearColor(0.0, 0.0, 0.0, 0.0);
         glClear(COLOR_BUFFER_BIT);
@@ -45,6 +47,7 @@ pub const OVER_OPAQUE: Listing = Listing {
     source: "the common stage",
     dialect: Dialect::Calls,
     steps: steps! {
+        edition "what was accumulated goes over the opaque image";
         glBindFramebuffer(COMPOSITE);
         glDisable(DEPTH_TEST);
         glDisable(STENCIL_TEST);
@@ -65,6 +68,7 @@ pub const COUNT: Listing = Listing {
     source: "the common stage",
     dialect: Dialect::Calls,
     steps: steps! {
+        edition "the number of fragments that belong into the image";
         glBindFramebuffer(DEPTH_ALONE);
         glClear(DEPTH_BUFFER_BIT);
         glEnable(DEPTH_TEST);
@@ -86,6 +90,7 @@ pub const COUNT_AT_EACH_PIXEL: Listing = Listing {
     source: "the common stage",
     dialect: Dialect::Calls,
     steps: steps! {
+        edition "the number of fragments at each pixel";
         glBindFramebuffer(COUNTED);
         glClearColor(0.0, 0.0, 0.0, 0.0);
         glClear(COLOR_BUFFER_BIT);

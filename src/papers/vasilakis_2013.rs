@@ -28,6 +28,7 @@ pub const COPLANAR_PEELING: Listing = Listing {
     source: "Vasilakis and Fudos 2013",
     dialect: Dialect::Calls,
     steps: steps! {
+        edition "the paper's idea, on Listing 1";
         run stage::OPAQUE_FIRST;
         run stage::CLEAR_ACCUMULATION;
         run vtk::BEFORE_PEELING;
@@ -42,7 +43,7 @@ pub const COPLANAR_PEELING: Listing = Listing {
 /// before them. The query counts these fragments, so that the number of missing fragments is known at the end.
 pub const EVERY_FRAGMENT: Amendment = Amendment {
     key: "V3",
-    kind: Kind::Correction,
+    kind: Kind::Edition,
     place: "Listing 1, save color buffer RGBA as layer i",
     printed: steps! { save color buffer RGBA as layer i; },
     amended: steps! {

@@ -39,13 +39,17 @@ pub const KEEP_LAYERS: Listing = Listing {
     source: "VTK, Depth Peeling",
     dialect: Dialect::Calls,
     steps: steps! {
+        prose "the algorithm peels the translucent geometry from front to back until there is no more geometry to render";
         run OPAQUE_FIRST;
         run BEFORE_PEELING;
+        edition "layers and fragments are counted";
         num_layers = 0;
         composited = 0;
+        prose "the original depth peeling algorithm is described in [1]";
         run LISTING_1 amended by &[CULL_BY_OPAQUE, QUERY, KEEP_DEPTH];
+        prose "the last step perfoms compositing with each layer, back-to-front order";
         glBindFramebuffer(COMPOSITE);
-        run BACK_TO_FRONT amended by &[ALPHA, ONLY_THE_LAYER, COUNT_THE_LAYER];
+        run BACK_TO_FRONT amended by &[WITH_ALPHA, ONLY_THE_LAYER, COUNT_THE_LAYER];
     },
 };
 
@@ -56,12 +60,16 @@ pub const ON_THE_FLY: Listing = Listing {
     source: "VTK, Depth Peeling",
     dialect: Dialect::Calls,
     steps: steps! {
+        prose "the algorithm peels the translucent geometry from front to back until there is no more geometry to render";
         run OPAQUE_FIRST;
         run CLEAR_ACCUMULATION;
         run BEFORE_PEELING;
+        edition "layers and fragments are counted";
         num_layers = 0;
         composited = 0;
+        prose "the original depth peeling algorithm is described in [1]";
         run LISTING_1 amended by &[NO_CLEAR, CULL_BY_OPAQUE, QUERY, UNDER];
+        edition "what was accumulated goes over the opaque image";
         run OVER_OPAQUE;
     },
 };
@@ -89,6 +97,7 @@ pub const BEFORE_PEELING: Listing = Listing {
     source: "VTK, Implementation notes",
     dialect: Dialect::Calls,
     steps: steps! {
+        edition "Listing 1 takes a framebuffer and a program for granted";
         // Layers are told from background by their depth, so no colour needs to be special.
         glClearColor(0.0, 0.0, 0.0, 0.0);
         glBindFramebuffer(PEEL);
@@ -102,7 +111,7 @@ pub const BEFORE_PEELING: Listing = Listing {
 /// plane, so that the ordinary depth test of unit 1 culls fragments at or behind an opaque surface.
 pub const CULL_BY_OPAQUE: Amendment = Amendment {
     key: "V03",
-    kind: Kind::Correction,
+    kind: Kind::Prose("As we first render opaque geometry, we use it to cull transparent geometry"),
     place: "Listing 1, depth unit 1, clear depth buffer",
     printed: steps! { clear depth buffer; },
     amended: steps! { glCopyImageSubData(OPAQUE_DEPTH, DEPTH_BUFFER_B); },
@@ -114,7 +123,9 @@ pub const CULL_BY_OPAQUE: Amendment = Amendment {
 /// the transparent objects are peeled.
 pub const QUERY: Amendment = Amendment {
     key: "V04",
-    kind: Kind::Correction,
+    kind: Kind::Prose(
+        "an occlusion query test on each pass indicates whether that layer was empty; if it was, the algorithm halts",
+    ),
     place: "Listing 1, render scene",
     printed: steps! { render scene; },
     amended: steps! {
@@ -133,7 +144,9 @@ pub const QUERY: Amendment = Amendment {
 /// do: it counts every fragment that lowered the depth, and those are more than the pixels that changed.
 pub const KEEP_DEPTH: Amendment = Amendment {
     key: "V02",
-    kind: Kind::Correction,
+    kind: Kind::Prose(
+        "the number of pixels modified by the last peel is less than some ratio of the area of the window",
+    ),
     place: "Listing 1, save color buffer RGBA as layer i",
     printed: steps! { save color buffer RGBA as layer i; },
     amended: steps! {
@@ -167,7 +180,7 @@ pub const KEEP_DEPTH: Amendment = Amendment {
 /// This does not hold for a layer that is saved. Clearing 32-bit float colours costs a twentieth of a peel.
 pub const NO_CLEAR: Amendment = Amendment {
     key: "V06",
-    kind: Kind::Correction,
+    kind: Kind::Edition,
     place: "Listing 1, clear color buffer",
     printed: steps! { clear color buffer; },
     amended: steps! {},
@@ -178,7 +191,9 @@ pub const NO_CLEAR: Amendment = Amendment {
 /// Instead of saving the layer, this puts it under the layers composited so far. The query counts the layer's pixels.
 pub const UNDER: Amendment = Amendment {
     key: "V06",
-    kind: Kind::Correction,
+    kind: Kind::Prose(
+        "if it was possible to do front-to-back compositing, we could perform compositing on the fly",
+    ),
     place: "Listing 1, save color buffer RGBA as layer i",
     printed: steps! { save color buffer RGBA as layer i; },
     amended: steps! {
@@ -206,10 +221,16 @@ pub const UNDER: Amendment = Amendment {
     test: "v06_both_ways_of_compositing_give_the_same_image",
 };
 
+/// To [`COMPOSITE`](BACK_TO_FRONT): the page names no blend function.
+const WITH_ALPHA: Amendment = Amendment {
+    kind: Kind::Edition,
+    ..ALPHA
+};
+
 /// To [`COMPOSITE`](BACK_TO_FRONT): a layer does not cover every pixel, and those it covers are counted.
 pub const ONLY_THE_LAYER: Amendment = Amendment {
     key: "V06",
-    kind: Kind::Correction,
+    kind: Kind::Edition,
     place: "Putting It All Together, rendering each layer",
     printed: steps! { glUseProgram(LAYER); },
     amended: steps! {
@@ -224,7 +245,7 @@ pub const ONLY_THE_LAYER: Amendment = Amendment {
 /// Goes with [`ONLY_THE_LAYER`].
 pub const COUNT_THE_LAYER: Amendment = Amendment {
     key: "V06",
-    kind: Kind::Correction,
+    kind: Kind::Edition,
     place: "Putting It All Together, rendering each layer",
     printed: steps! { drawScreen(); },
     amended: steps! {

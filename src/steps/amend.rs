@@ -30,6 +30,23 @@ impl<S> Clone for Amendment<S> {
 
 impl<S> Copy for Amendment<S> {}
 
+impl<S> Amendment<S> {
+    /// The origin of its statements.
+    pub const fn origin(&self) -> Origin {
+        let (key, why) = (self.key, self.why);
+        match self.kind {
+            Kind::Correction => Origin::Amendment {
+                key,
+                why,
+                test: self.test,
+            },
+            Kind::Filling(rests_on) => Origin::Filling { key, why, rests_on },
+            Kind::Prose(quote) => Origin::Prose { quote },
+            Kind::Edition => Origin::Edition { why },
+        }
+    }
+}
+
 /// A statement that may contain others.
 pub trait Statement: PartialEq + Sized + 'static {
     /// The mark, if it is one and no statement to be run.

@@ -1,10 +1,8 @@
-//! Where each line of a text comes from, and the readings that follow from it.
+//! Where each line of a text comes from.
 //!
 //! A text says it in [`Margin`]s between its statements: what follows a mark in the same block has the mark's origin, and so
-//! has everything inside of it, unless it says otherwise. An [`Amendment`] gives its statements the origin of its
-//! [`Kind`]; statements that it only repeats keep theirs.
-
-use super::amend::{Amendment, Statement};
+//! has everything inside of it, unless it says otherwise. An [`Amendment`](super::Amendment) gives its statements the
+//! origin of its [`Kind`]. Statements that it only repeats keep theirs.
 
 /// The origin of a line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -102,57 +100,4 @@ pub enum Kind {
     Prose(&'static str),
     /// This edition has it for a reason of its own. What it replaces is not wrong.
     Edition,
-}
-
-impl<S> Amendment<S> {
-    /// The origin of its statements.
-    pub const fn origin(&self) -> Origin {
-        let (key, why) = (self.key, self.why);
-        match self.kind {
-            Kind::Correction => Origin::Amendment {
-                key,
-                why,
-                test: self.test,
-            },
-            Kind::Filling(rests_on) => Origin::Filling { key, why, rests_on },
-            Kind::Prose(quote) => Origin::Prose { quote },
-            Kind::Edition => Origin::Edition { why },
-        }
-    }
-}
-
-/// How far a text is read as it stands.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Reading {
-    /// What the paper prints and says, and nothing where it is silent.
-    Literal,
-    /// And what fills its silence, so that only its errors are left.
-    AsPrinted,
-    /// And with its errors amended.
-    #[default]
-    Amended,
-}
-
-impl Reading {
-    /// All readings.
-    pub const ALL: [Self; 3] = [Self::Literal, Self::AsPrinted, Self::Amended];
-
-    /// Its name on the command line and in data.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Literal => "literal",
-            Self::AsPrinted => "as-printed",
-            Self::Amended => "amended",
-        }
-    }
-
-    /// The amendments that hold in this reading.
-    pub fn of<S: Statement>(self, amendments: &[Amendment<S>]) -> Vec<Amendment<S>> {
-        let holds = |amendment: &&Amendment<S>| match self {
-            Self::Literal => false,
-            Self::AsPrinted => matches!(amendment.kind, Kind::Filling(_)),
-            Self::Amended => true,
-        };
-        amendments.iter().filter(holds).copied().collect()
-    }
 }

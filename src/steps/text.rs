@@ -3,9 +3,9 @@
 use super::amend::Statement;
 use super::lines::{self, TextLine};
 use super::listing::{Amendment, Listing};
-use super::origin::Reading;
 use super::print;
 use super::pseudo::{self, Pseudocode, list};
+use super::reading::Reading;
 
 /// A text that a paper prints under one title, with the amendments that correct it.
 #[derive(Clone, Copy, Debug)]

@@ -212,17 +212,18 @@ fn x17_sixteen_bit_floats_are_not_enough_for_depths() {
 
 #[test]
 fn x14_blending_left_on_does_no_harm_where_maps_are_depths() {
-    // The prototype read its maps from colors. Here they are copies of the depth buffer, and colors are masked.
-    const LEFT_ON: Amendment = Amendment {
+    // If maps were read from colors, it would. Here they are copies of the depth buffer, and colors are masked.
+    const OFF: Amendment = Amendment {
         amended: steps! {
             glBindFramebuffer(onionskin::low_level::papers::stage::PEEL);
+            glDisable(onionskin::low_level::steps::gl::BLEND);
             glColorMask(false, false, false, false);
         },
         ..CLEAN_STATE
     };
     let pixels = random_image(8);
     for which in [Loop::A, Loop::B] {
-        let mut amendments = vec![LEFT_ON];
+        let mut amendments = vec![OFF];
         amendments.extend(which.without("X13"));
         let image = |amendments: &[Amendment]| {
             let emulated = emulate(which, &pixels, amendments);

@@ -1,6 +1,7 @@
 //! The papers' print, to the letter. `tests/print` has a transcript of each printed text, which nothing rewrites. In them
 //! only white space is not the papers' own: the scans have lost most of it.
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
@@ -264,4 +265,82 @@ fn origins<S: Statement>(statements: &'static [S], scope: Scope<'_, S>) -> Strin
         }
     }
     found
+}
+
+#[test]
+fn every_line_of_every_text_has_an_origin() {
+    let mut letters = BTreeSet::new();
+    for paper in papers() {
+        for (key, text) in paper.texts {
+            for reading in Reading::ALL {
+                for line in text.lines(reading) {
+                    let origin = line.origin.map(Origin::letter);
+                    let where_from = format!("{}/{key}: {}", paper.key, line.text);
+                    assert!(origin.is_some() || line.note, "{where_from}");
+                    letters.extend(origin);
+                    // What fills and what amends stands only where it is read so.
+                    let as_it_is = origin != Some('a') || reading == Reading::Amended;
+                    let silent = origin != Some('f') || reading != Reading::Literal;
+                    assert!(as_it_is && silent, "{} {where_from}", reading.name());
+                }
+            }
+        }
+    }
+    assert_eq!(letters.into_iter().collect::<String>(), "aefps");
+    // A line that no mark precedes has none.
+    const NONE: Listing = Listing {
+        title: "",
+        source: "",
+        dialect: onionskin::low_level::steps::Dialect::Calls,
+        steps: steps! { drawScreen(); },
+    };
+    assert!(
+        print::lines(&NONE, &[])
+            .iter()
+            .all(|line| line.origin.is_none())
+    );
+}
+
+/// What is quoted stands in one of the papers.
+#[test]
+fn every_quotation_is_from_a_paper() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/papers");
+    let Ok(scans) = fs::read_dir(folder) else {
+        println!("skipped: there are no scans of the papers beside the project");
+        return;
+    };
+    let scans = scans.map(|scan| fs::read_to_string(scan.unwrap().path()).expect("a scan"));
+    let scans: Vec<_> = scans.map(|scan| flowing(&scan)).collect();
+    let found = |part: &str| scans.iter().any(|scan| scan.contains(&flowing(part)));
+    let mut quotations = BTreeSet::new();
+    for paper in papers() {
+        for (_, text) in paper.texts {
+            for line in text.lines(Reading::Amended) {
+                match line.origin {
+                    Some(Origin::Prose { quote }) => _ = quotations.insert(quote),
+                    // A filling quotes between quotation marks.
+                    Some(Origin::Filling { rests_on, .. }) => {
+                        quotations.extend(rests_on.split('"').skip(1).step_by(2));
+                    }
+                    _ => {}
+                }
+            }
+        }
+    }
+    assert!(quotations.len() > 30, "{}", quotations.len());
+    let parts = quotations
+        .iter()
+        .flat_map(|quotation| quotation.split(" ... "));
+    let missing: Vec<_> = parts.filter(|part| !found(part)).collect();
+    assert!(missing.is_empty(), "{missing:#?}");
+    assert!(!found("the algorithm peels the opaque geometry"));
+}
+
+/// A text without its line breaks, and without what a typesetter and a scanner do to words.
+fn flowing(text: &str) -> String {
+    let text = text
+        .to_lowercase()
+        .replace("-\n", "")
+        .replace(['“', '”'], "\"");
+    text.chars().filter(|c| !c.is_whitespace()).collect()
 }

@@ -106,6 +106,7 @@ pub const HYBRID: Listing = Listing {
     source: "Carr et al. 2008, Algorithm 1",
     dialect: Dialect::Calls,
     steps: steps! {
+        edition "Algorithm 1 in calls of OpenGL: each for over geometry is a pass, each if a depth test or a clip";
         run OPAQUE_FIRST;
         run CLEAR_ACCUMULATION;
         run FROM_THE_NEAR_PLANE;
@@ -140,6 +141,7 @@ pub const LAYER_PEELING: Listing = Listing {
     source: "Carr et al. 2008, sections 1 and 8",
     dialect: Dialect::Calls,
     steps: steps! {
+        edition "layer peeling in two geometry passes, as the paper counts it";
         run OPAQUE_FIRST;
         run CLEAR_ACCUMULATION;
         run FROM_THE_NEAR_PLANE;

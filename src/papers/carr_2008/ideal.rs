@@ -115,7 +115,7 @@ pub const BEFORE_OPAQUE: Amendment<Line> = Amendment {
 pub const TIGHT_BOUND: [Amendment<Line>; 4] = [
     Amendment {
         key: "X23",
-        kind: Kind::Correction,
+        kind: Kind::Edition,
         place: "Algorithm 2, lines 1 to 3",
         printed: pseudo! { z3 <- zNear; },
         amended: pseudo! {
@@ -128,7 +128,7 @@ pub const TIGHT_BOUND: [Amendment<Line>; 4] = [
     },
     Amendment {
         key: "X23",
-        kind: Kind::Correction,
+        kind: Kind::Edition,
         place: "Algorithm 2, lines 8 to 10",
         printed: pseudo! {
             z1 <- zOpaque;
@@ -146,7 +146,7 @@ pub const TIGHT_BOUND: [Amendment<Line>; 4] = [
     BEFORE_OPAQUE,
     Amendment {
         key: "X23",
-        kind: Kind::Correction,
+        kind: Kind::Edition,
         place: "Algorithm 2, line 37",
         printed: pseudo! {
             if (zPeel < zFragment < z3) then {
@@ -170,6 +170,7 @@ pub const IDEAL: Listing = Listing {
     source: "Carr et al. 2008, Algorithm 2",
     dialect: Dialect::Calls,
     steps: steps! {
+        edition "Algorithm 2 on an OpenGL whose shaders read the framebuffer in order";
         run OPAQUE_FIRST;
         run FROM_THE_NEAR_PLANE;
         for (i in 0..iteration_limit) {
@@ -239,7 +240,7 @@ pub const AMENDMENTS: [Amendment; 2] = [
 pub const TIGHT_BOUND_ON_GL: [Amendment; 3] = [
     Amendment {
         key: "X23",
-        kind: Kind::Correction,
+        kind: Kind::Edition,
         place: "Algorithm 2, lines 8 to 10",
         printed: steps! { glUseProgram(BEGIN_AS_PRINTED); },
         amended: steps! { glUseProgram(BEGIN_TIGHT); },
@@ -249,7 +250,7 @@ pub const TIGHT_BOUND_ON_GL: [Amendment; 3] = [
     AMENDMENTS[1],
     Amendment {
         key: "X23",
-        kind: Kind::Correction,
+        kind: Kind::Edition,
         place: "Algorithm 2, line 37",
         printed: steps! { glUseProgram(PASS_2_AS_PRINTED); },
         amended: steps! { glUseProgram(PASS_2_TIGHT); },
@@ -262,7 +263,7 @@ pub const TIGHT_BOUND_ON_GL: [Amendment; 3] = [
 pub const BY_IMAGES: [Amendment; 3] = [
     Amendment {
         key: "images",
-        kind: Kind::Correction,
+        kind: Kind::Edition,
         place: "Algorithm 2, lines 1 to 3",
         printed: steps! { glClear(COLOR_BUFFER_BIT); },
         amended: steps! {
@@ -278,7 +279,7 @@ pub const BY_IMAGES: [Amendment; 3] = [
     },
     Amendment {
         key: "images",
-        kind: Kind::Correction,
+        kind: Kind::Edition,
         place: "Algorithm 2, behind lines 7 to 12",
         printed: steps! { drawScreen(); },
         amended: steps! { drawScreen(); glMemoryBarrier(); },
@@ -287,7 +288,7 @@ pub const BY_IMAGES: [Amendment; 3] = [
     },
     Amendment {
         key: "images",
-        kind: Kind::Correction,
+        kind: Kind::Edition,
         place: "Algorithm 2, behind each pass",
         printed: steps! { drawTransparentObjects(); },
         amended: steps! { drawTransparentObjects(); glMemoryBarrier(); },

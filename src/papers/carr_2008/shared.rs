@@ -40,6 +40,7 @@ pub const UNDER: Listing = Listing {
     source: "Carr et al. 2008, section 5.2",
     dialect: Dialect::Calls,
     steps: steps! {
+        prose "a standard compositing pass";
         glEnable(BLEND);
         glBlendFuncSeparate(ONE_MINUS_DST_ALPHA, ONE, ONE_MINUS_DST_ALPHA, ONE);
     },

@@ -10,15 +10,19 @@ pub const COMPOSITE: Listing = Listing {
     source: "Everitt 2001, Putting It All Together",
     dialect: Dialect::Calls,
     steps: steps! {
+        edition "the quads are not tested";
         glDisable(DEPTH_TEST);
+        prose "for back-to-front compositing a (GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA) blending function is used";
         glEnable(BLEND);
         glBlendFunc(SRC_ALPHA, ONE_MINUS_SRC_ALPHA);
+        prose "rendering each layer as viewport-sized textured quad does this";
         glUseProgram(LAYER);
         glActiveTexture(2);
         for (i in num_layers..0) {
             glBindTexture(LAYER_I);
             drawScreen();
         }
+        edition "nothing else blends";
         glDisable(BLEND);
     },
 };

@@ -30,7 +30,7 @@ pub const TRIED: Resources = Resources {
 const fn program(amended: &'static [Step]) -> Amendment {
     Amendment {
         key: "E06",
-        kind: Kind::Correction,
+        kind: Kind::Edition,
         place: "Listing 1, render scene",
         printed: steps! { glUseProgram(stage::PEEL_SURFACE); },
         amended,
@@ -44,6 +44,7 @@ const UNIFORMS: crate::steps::Listing = crate::steps::Listing {
     source: "Everitt 2001, An Invariance Issue",
     dialect: crate::steps::Dialect::Calls,
     steps: steps! {
+        edition "what is stored and what is compared can be chosen";
         glUniform1f("quotient");
         glUniform1f("in_shader");
         glUniform1f("steps");
@@ -55,7 +56,7 @@ const UNIFORMS: crate::steps::Listing = crate::steps::Listing {
 /// A shader that compares has to be told that the first pass has no comparison.
 const PASS_0: Amendment = Amendment {
     key: "E06",
-    kind: Kind::Correction,
+    kind: Kind::Edition,
     place: "Listing 1, depth unit 0",
     printed: steps! {
         if (i == 0) {
@@ -81,7 +82,7 @@ const PASS_0: Amendment = Amendment {
 /// The same texture where it can be read without comparison.
 const TEXELS: Amendment = Amendment {
     key: "E06",
-    kind: Kind::Correction,
+    kind: Kind::Edition,
     place: "Listing 1, depth unit 0, bind buffer A",
     printed: steps! { bind buffer A; },
     amended: steps! {

@@ -15,10 +15,13 @@ pub const SHADOW_AS_DEPTH_TEST: Listing = Listing {
     source: "Everitt 2001, Shadow Mapping as Depth Test",
     dialect: Dialect::Source,
     steps: steps! {
+        edition "the unit of Listing 2";
         glActiveTextureARB(GL_TEXTURE3_ARB);
+        prose "we write the results of the shadow mapping comparison to fragment alpha";
         compare_r_to_texture(true);
         depth_texture_mode(GL_ALPHA);
         glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
+        prose "we make the orientation and resolution of the shadow map identical to that of the camera";
         glMatrixMode(GL_MODELVIEW);
         glPushMatrix();
         glLoadIdentity();
@@ -31,6 +34,7 @@ pub const SHADOW_AS_DEPTH_TEST: Listing = Listing {
         glScalef(0.5, 0.5, 0.5);
         apply_perspective();
         glMatrixMode(GL_MODELVIEW);
+        prose "use alpha test to discard fragments that fail the \"depth test\" we have chosen";
         glAlphaFunc(GREATER, 0.0);
     },
 };

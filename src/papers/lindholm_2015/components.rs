@@ -13,7 +13,12 @@ use crate::steps::{Amendment, Kind};
 pub const STATIC_ARRAY: Pseudocode<ListLine> = Pseudocode {
     title: "Static Local Array",
     source: "Lindholm et al. 2015, section 4, Managing Local GPU Caches",
-    lines: lists! { forall pixels do { resolve segment with Local Array; } },
+    lines: lists! {
+        prose "allocate a fixed sized array, of size N per thread";
+        forall pixels do {
+            resolve segment with Local Array;
+        }
+    },
 };
 
 /// A pixel with more fragments than its array keeps the nearest, which hide the others, instead of those that the
@@ -22,6 +27,7 @@ pub const NEAREST: Pseudocode<ListLine> = Pseudocode {
     title: "Static Local Array of the nearest",
     source: "onionskin",
     lines: lists! {
+        edition "one subpass of ppDP";
         input list of fragments;
         n <- sizeof Local Array;
         create buffer with n elements;
@@ -37,7 +43,7 @@ pub const NEAREST: Pseudocode<ListLine> = Pseudocode {
 /// To [`STATIC_ARRAY`], if the nearest are to be kept.
 pub const KEEP_NEAREST: Amendment<ListLine> = Amendment {
     key: "L09",
-    kind: Kind::Correction,
+    kind: Kind::Edition,
     place: "section 4, all fragments beyond this number are discarded",
     printed: lists! { resolve segment with Local Array; },
     amended: lists! { resolve segment by NEAREST; },
@@ -150,13 +156,20 @@ pub const STORE_ID: Amendment<ListLine> = Amendment {
     test: "l13_ties_are_lost_where_a_buffer_ends_as_printed",
 };
 
-/// Erratum L3. The printed condition, read as a count, never holds once a fragment is lost.
+/// Erratum L3. The printed condition, read as a count, never holds once a fragment is lost. But what is processed is told
+/// by min depth alone: then nothing is left behind min depth as soon as a subpass has dropped nothing.
 pub const STOP: Amendment<ListLine> = Amendment {
     key: "L3",
-    kind: Kind::Correction,
+    kind: Kind::Filling(
+        "Section 5.2: \"only the minimal depth is used to distinguish processed fragments from fragments yet to be resolved\"",
+    ),
     place: "section 5.2, until all fragments are resolved",
     printed: lists! { until all fragments are resolved; },
-    amended: lists! { until no element was dropped; },
+    amended: lists! {
+        printed;
+        spelt "until all fragments f ∈ fragment list are resolved;";
+        until no element was dropped;
+    },
     why: "a subpass that has dropped nothing is the last",
     test: "l13_a_loop_that_waits_for_a_lost_fragment_never_ends",
 };
@@ -165,7 +178,7 @@ pub const STOP: Amendment<ListLine> = Amendment {
 /// element". This is from the text beside the pseudocode.
 pub const AS_THE_TEXT_SAYS: Amendment<ListLine> = Amendment {
     key: "L2",
-    kind: Kind::Correction,
+    kind: Kind::Prose("the process sorts n−1 elements in the Fragment List per subpass"),
     place: "section 5.2, resolve buffer",
     printed: lists! { resolve buffer; },
     amended: lists! { resolve buffer, on overflow its first n - 1 elements; },
@@ -251,7 +264,7 @@ pub const fn by_stencil(
     [
         Amendment {
             key: "6.2",
-            kind: Kind::Correction,
+            kind: Kind::Prose("the ppAO component is implemented using an 8bit stencil buffer"),
             place: "section 5.1, count depth complexity",
             printed: lists! { count depth complexity; },
             amended: counter,
@@ -260,7 +273,7 @@ pub const fn by_stencil(
         },
         Amendment {
             key: "6.2",
-            kind: Kind::Correction,
+            kind: Kind::Prose("the ppAO component is implemented using an 8bit stencil buffer"),
             place: "section 5.1, if depth complexity(p) <= i",
             amended: masked,
             why: "different segments are triggered by the stencil function",

@@ -14,10 +14,14 @@ pub const FUSED: Pseudocode<ListLine> = Pseudocode {
     title: "Fused rendering: a ray cast between the fragments of the list",
     source: "Lindholm et al. 2015, section 6.1",
     lines: lists! {
+        prose "all entries in the Fragment List can be interpreted as intersection points along the view rays";
         input list of fragments;
+        prose "ray casting of the scene is performed in world space by sequentially looping over all entries";
         begin ray outside;
         foreach sorted fragment f do {
+            prose "volume rendering is performed for the interleaved ray segments";
             cast ray up to f;
+            prose "geometry fragments are blended directly to the buffer ... volume occupancy is tracked through a bitmask which is updated every time a fragment of a volume proxy geometry is encountered";
             if (f is of a proxy) then {
                 toggle the volume of f;
             } else {
@@ -33,7 +37,9 @@ pub const FUSED_AMENDMENTS: [Amendment<ListLine>; 2] = [BEGIN_INSIDE, END_AT_OPA
 /// The eye may be inside of a volume.
 pub const BEGIN_INSIDE: Amendment<ListLine> = Amendment {
     key: "L16",
-    kind: Kind::Correction,
+    kind: Kind::Filling(
+        "Section 6.1: occupancy \"is updated every time a fragment of a volume proxy geometry is encountered\", and none is where the eye is inside",
+    ),
     place: "section 6.1, volume occupancy is tracked",
     printed: lists! { begin ray outside; },
     amended: lists! { begin ray inside what is only left; },
@@ -44,7 +50,9 @@ pub const BEGIN_INSIDE: Amendment<ListLine> = Amendment {
 /// Proxies behind the opaque surface must be in the list, so that it says where the ray begins.
 pub const END_AT_OPAQUE: Amendment<ListLine> = Amendment {
     key: "L16",
-    kind: Kind::Correction,
+    kind: Kind::Filling(
+        "Section 6.1: entries are \"intersection points along the view rays\", and rays end where nothing behind is seen",
+    ),
     place: "section 6.1, the interleaved ray segments",
     printed: lists! { cast ray up to f; },
     amended: lists! { cast ray up to f or opaque depth; },
@@ -62,7 +70,9 @@ pub const FUSED_PP_DP: [Amendment<ListLine>; 6] = [
     STOP,
     Amendment {
         key: "L17",
-        kind: Kind::Correction,
+        kind: Kind::Prose(
+            "we temporarily store the current state of the rendering, including volume occupancy and ray position",
+        ),
         place: "section 5.2, initialize current state",
         printed: lists! { initialize current state; },
         amended: lists! { begin ray inside what is only left; },
@@ -75,7 +85,9 @@ pub const FUSED_PP_DP: [Amendment<ListLine>; 6] = [
 /// "Resolve buffer considering current state", with volumes.
 pub const EVALUATE_BUFFER: Amendment<ListLine> = Amendment {
     key: "L17",
-    kind: Kind::Correction,
+    kind: Kind::Prose(
+        "we temporarily store the current state of the rendering, including volume occupancy and ray position",
+    ),
     place: "section 5.2, resolve buffer considering current state",
     printed: lists! { resolve buffer; },
     amended: lists! {

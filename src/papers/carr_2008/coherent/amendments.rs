@@ -8,7 +8,7 @@ use crate::papers::stage::{OPAQUE_DEPTH, PEEL};
 use crate::steps;
 use crate::steps::{Amendment, Kind, gl::*};
 
-/// All corrections, in the paper's order.
+/// What fills the paper's silence and what corrects it, in the paper's order.
 pub const AMENDMENTS: [Amendment; 10] = [
     CLEAN_STATE,
     CLEAN_STATE_B,
@@ -25,12 +25,13 @@ pub const AMENDMENTS: [Amendment; 10] = [
 /// One framebuffer holds the passes' depths and the image, and the passes clear its color.
 pub const CLEAN_STATE: Amendment = Amendment {
     key: "X13",
-    kind: Kind::Correction,
+    kind: Kind::Filling(
+        "Section 5.1: each pass leaves a count or a depth; section 5.2: \"into the final image (pass 5)\"",
+    ),
     place: "section 5.1, before pass 1; section 6, before pass 3",
     printed: steps! { glBindFramebuffer(PEEL); },
     amended: steps! {
         glBindFramebuffer(PEEL);
-        glDisable(BLEND);
         glColorMask(false, false, false, false);
     },
     why: "the white clears of passes 2 and 4 would erase what has been composited",
@@ -40,7 +41,9 @@ pub const CLEAN_STATE: Amendment = Amendment {
 /// The same for section 6's pass, whose color is the depth map.
 pub const CLEAN_STATE_B: Amendment = Amendment {
     key: "X12",
-    kind: Kind::Correction,
+    kind: Kind::Filling(
+        "Section 6: \"Both pass 1 and 2 can be replaced by a single pass\", whose listing has no stencil test",
+    ),
     place: "section 6, before the pass",
     printed: steps! { glBindFramebuffer(PREVIOUS); },
     amended: steps! {
@@ -89,7 +92,7 @@ pub const FIRST_CLOSED_B: Amendment = Amendment {
 /// Pass 2 counts back what pass 1 has counted, so both must see the same surfaces.
 pub const PASS_2_OPEN: Amendment = Amendment {
     key: "X11",
-    kind: Kind::Correction,
+    kind: Kind::Edition,
     place: "section 5.1, pass 2, the range",
     printed: steps! { glUseProgram(OPEN_CLOSED); },
     amended: FIRST_CLOSED.amended,
@@ -112,7 +115,7 @@ pub const MOVE_DEPTH: Amendment = Amendment {
 /// If the range is closed above, passes 3 and 4 meet the surface at `z_min_prev` again, which always breaks the run.
 pub const RUN_HALF_OPEN: Amendment = Amendment {
     key: "X4",
-    kind: Kind::Correction,
+    kind: Kind::Filling(HALF_OPEN_RESTS_ON),
     place: "section 5.1, the range of passes 3 and 4",
     printed: steps! { run RANGE_3; },
     amended: steps! { run RANGE_3 amended by &[HALF_OPEN]; },
@@ -123,7 +126,7 @@ pub const RUN_HALF_OPEN: Amendment = Amendment {
 /// If the range is closed above, pass 5 composites the surface that pass 6 composites.
 pub const COMPOSITE_HALF_OPEN: Amendment = Amendment {
     key: "X5",
-    kind: Kind::Correction,
+    kind: Kind::Filling(HALF_OPEN_RESTS_ON),
     place: "section 5.2, pass 5, the range",
     printed: steps! { run RANGE_5; },
     amended: steps! { run RANGE_5 amended by &[HALF_OPEN]; },
@@ -134,7 +137,7 @@ pub const COMPOSITE_HALF_OPEN: Amendment = Amendment {
 /// The text does not say that pass 4's tests are disabled before pass 5.
 pub const NO_TESTS: Amendment = Amendment {
     key: "X12",
-    kind: Kind::Correction,
+    kind: Kind::Filling("Section 5.2: \"A standard compositing pass\""),
     place: "section 5.2, before pass 5",
     printed: steps! { run PASS_5; },
     amended: steps! {
@@ -147,10 +150,14 @@ pub const NO_TESTS: Amendment = Amendment {
     test: "x12_state_left_behind_loses_surfaces",
 };
 
+/// Sections 5.1 and 5.2 print no closing bracket. Of all orders of submission that fit figure 2's trace, half-open ranges
+/// fit 18, and closed ones none.
+const HALF_OPEN_RESTS_ON: &str = "Section 4.1: \"within the range [D(sn),z_min_prev)\"; figure 2, whose trace fits no closed range";
+
 /// [lower, upper] becomes [lower, upper).
 pub const HALF_OPEN: Amendment = Amendment {
     key: "X3",
-    kind: Kind::Correction,
+    kind: Kind::Filling(HALF_OPEN_RESTS_ON),
     place: "section 5, the ends of the ranges",
     printed: steps! { glUseProgram(CLOSED_CLOSED); },
     amended: steps! { glUseProgram(CLOSED_OPEN); },
@@ -172,7 +179,7 @@ pub const BEFORE_OPAQUE: Amendment = Amendment {
 /// An improvement: surfaces of equal depth do not break a run, as in Algorithm 2.
 pub const TIE_FRIENDLY: Amendment = Amendment {
     key: "GEQUAL",
-    kind: Kind::Correction,
+    kind: Kind::Edition,
     place: "section 5.1, pass 3",
     printed: steps! { glDepthFunc(GREATER); },
     amended: steps! { glDepthFunc(GEQUAL); },
@@ -183,7 +190,7 @@ pub const TIE_FRIENDLY: Amendment = Amendment {
 /// An improvement: if nothing is left, pass 1 finds nothing, five passes before the compositing phase notices it.
 pub const STOP_ON_PASS_1: Amendment = Amendment {
     key: "early stop",
-    kind: Kind::Correction,
+    kind: Kind::Edition,
     place: "section 5.2, the end of the loop",
     printed: steps! { run PASS_1; },
     amended: steps! {
@@ -200,7 +207,7 @@ pub const STOP_ON_PASS_1: Amendment = Amendment {
 /// The same in variant B.
 pub const STOP_ON_SECTION_6: Amendment = Amendment {
     key: "early stop",
-    kind: Kind::Correction,
+    kind: Kind::Edition,
     place: "section 5.2, the end of the loop",
     printed: steps! { run SECTION_6; },
     amended: steps! {
@@ -217,7 +224,7 @@ pub const STOP_ON_SECTION_6: Amendment = Amendment {
 /// An improvement (section 9): the range ends at a batch's end if that lies before the opaque depth.
 pub const UP_TO_THE_BATCH_END: Amendment = Amendment {
     key: "batches",
-    kind: Kind::Correction,
+    kind: Kind::Edition,
     place: "section 9; section 5.1, the ranges",
     printed: steps! { glBindTexture(OPAQUE_DEPTH); },
     amended: steps! { glBindTexture(BATCH_END); },

@@ -16,10 +16,14 @@ pub const VARIANT_A: Listing = Listing {
     source: "Carr et al. 2008, section 5",
     dialect: Dialect::Calls,
     steps: steps! {
+        prose "we render the opaque objects into a depth map";
         run OPAQUE_FIRST;
+        edition "layers are accumulated apart from the opaque image";
         run CLEAR_ACCUMULATION;
         run FROM_THE_NEAR_PLANE;
+        prose "this process is repeated until no surfaces remain to be peeled";
         run LOOP_A;
+        edition "what was accumulated goes over the opaque image";
         run OVER_OPAQUE;
     },
 };
@@ -30,21 +34,29 @@ pub const LOOP_A: Listing = Listing {
     source: "Carr et al. 2008, section 5",
     dialect: Dialect::Calls,
     steps: steps! {
+        edition "surfaces and iterations are counted";
         composited = 0;
+        prose "this process is repeated until no surfaces remain to be peeled";
         for (i in 0..iteration_limit) {
+            edition "surfaces and iterations are counted";
             iterations = i + 1;
+            edition "maps are drawn to through framebuffers";
             glBindFramebuffer(PEEL);
             run RANGE_1;
             run PASS_1;
+            prose "the depth buffer will hold D(sn), required in subsequent steps";
             glCopyImageSubData(DEPTH_BUFFER, D_SN);
             run RANGE_2;
             run PASS_2;
+            prose "the result of this process records z_min_prev into the z-buffer";
             glCopyImageSubData(DEPTH_BUFFER, Z_MIN_PREV);
             run RANGE_3;
             run PASS_3;
             run PASS_4;
+            prose "this value is z_min_post";
             glCopyImageSubData(DEPTH_BUFFER, Z_MIN_POST);
             run COMPOSITE_AND_GO_ON;
+            prose "we can detect when this occurs using occlusion queries during the compositing phase";
             stop if (found == 0) because EmptyLayer;
         }
     },
@@ -56,10 +68,14 @@ pub const VARIANT_B: Listing = Listing {
     source: "Carr et al. 2008, section 6",
     dialect: Dialect::Calls,
     steps: steps! {
+        prose "we render the opaque objects into a depth map";
         run OPAQUE_FIRST;
+        edition "layers are accumulated apart from the opaque image";
         run CLEAR_ACCUMULATION;
         run FROM_THE_NEAR_PLANE;
+        prose "this process is repeated until no surfaces remain to be peeled";
         run LOOP_B;
+        edition "what was accumulated goes over the opaque image";
         run OVER_OPAQUE;
     },
 };
@@ -70,19 +86,27 @@ pub const LOOP_B: Listing = Listing {
     source: "Carr et al. 2008, section 6",
     dialect: Dialect::Calls,
     steps: steps! {
+        edition "surfaces and iterations are counted";
         composited = 0;
+        prose "this process is repeated until no surfaces remain to be peeled";
         for (i in 0..iteration_limit) {
+            edition "surfaces and iterations are counted";
             iterations = i + 1;
+            edition "maps are drawn to through framebuffers";
             glBindFramebuffer(PREVIOUS);
             run RANGE_6;
             run SECTION_6;
+            prose "the depth buffer will hold D(sn), required in subsequent steps";
             glCopyImageSubData(DEPTH_BUFFER, D_SN);
+            edition "maps are drawn to through framebuffers";
             glBindFramebuffer(PEEL);
             run RANGE_3;
             run PASS_3;
             run PASS_4;
+            prose "this value is z_min_post";
             glCopyImageSubData(DEPTH_BUFFER, Z_MIN_POST);
             run COMPOSITE_AND_GO_ON;
+            prose "we can detect when this occurs using occlusion queries during the compositing phase";
             stop if (found == 0) because EmptyLayer;
         }
     },
@@ -94,6 +118,7 @@ pub const FROM_THE_NEAR_PLANE: Listing = Listing {
     source: "Carr et al. 2008, section 5.1",
     dialect: Dialect::Calls,
     steps: steps! {
+        prose "we then initialize another depth map (which we call D(sc)) to the z-near plane";
         glBindFramebuffer(BOUND);
         glClearDepth(0.0);
         glDepthMask(true);
@@ -107,6 +132,7 @@ pub const RANGE_1: Listing = Listing {
     source: "Carr et al. 2008, section 5.1, pass 1",
     dialect: Dialect::Calls,
     steps: steps! {
+        prose "whose depth values lie in the range (D(sc),opaque_depth)";
         glUseProgram(OPEN_OPEN);
         run FROM_D_SC_TO_OPAQUE;
     },
@@ -118,6 +144,7 @@ pub const RANGE_2: Listing = Listing {
     source: "Carr et al. 2008, section 5.1, pass 2",
     dialect: Dialect::Calls,
     steps: steps! {
+        prose "any surface si : i < n in the range (D(sc),opaque_depth]";
         glUseProgram(OPEN_CLOSED);
         run FROM_D_SC_TO_OPAQUE;
     },
@@ -129,17 +156,19 @@ pub const RANGE_6: Listing = Listing {
     source: "Carr et al. 2008, section 6",
     dialect: Dialect::Calls,
     steps: steps! {
+        prose "we set the color to 1.0, 1.0, 1.0 and the alpha to the fragment depth";
         glUseProgram(PREVIOUS_DEPTH);
         run FROM_D_SC_TO_OPAQUE;
     },
 };
 
-/// The range of passes 3 and 4. One scan of the paper closes its upper end; the other has no closing bracket.
+/// The range of passes 3 and 4, whose closing bracket is missing: read literally, nothing excludes its end.
 pub const RANGE_3: Listing = Listing {
-    title: "Clip to [D(sn), min(z_min_prev, opaque_depth)]",
+    title: "Clip to [D(sn), min(z_min_prev, opaque_depth)",
     source: "Carr et al. 2008, section 5.1, before pass 3",
     dialect: Dialect::Calls,
     steps: steps! {
+        prose "we clip all surface fragments that fall outside the range [D(sn),min(z_min_prev,opaque_depth) using a simple fragment shader";
         glUseProgram(CLOSED_CLOSED);
         glActiveTexture(1);
         glBindTexture(D_SN);
@@ -154,10 +183,11 @@ pub const RANGE_3: Listing = Listing {
 
 /// Pass 5's range.
 pub const RANGE_5: Listing = Listing {
-    title: "Clip to [D(sn), min(z_min_post, z_min_prev, opaque_depth)]",
+    title: "Clip to [D(sn), min(z_min_post, z_min_prev, opaque_depth)",
     source: "Carr et al. 2008, section 5.2, pass 5",
     dialect: Dialect::Calls,
     steps: steps! {
+        prose "the interval [D(sn),min(z_min_post,z_min_prev,opaque_depth) ... can use a fragment shader to clip to this range";
         glUseProgram(CLOSED_CLOSED);
         glActiveTexture(3);
         glBindTexture(Z_MIN_POST);
@@ -169,6 +199,7 @@ const FROM_D_SC_TO_OPAQUE: Listing = Listing {
     source: "Carr et al. 2008, section 5.1",
     dialect: Dialect::Calls,
     steps: steps! {
+        prose "we are given the interval (D(sc),opaque_depth) stored in maps";
         glActiveTexture(1);
         glBindTexture(D_SC);
         glActiveTexture(2);
@@ -187,12 +218,15 @@ pub const COMPOSITE_AND_GO_ON: Listing = Listing {
     dialect: Dialect::Calls,
     steps: steps! {
         run RANGE_5;
+        prose "we can detect when this occurs using occlusion queries during the compositing phase";
         glBeginQuery(COMPOSITED);
         run PASS_5;
         run PASS_6;
         glEndQuery(COMPOSITED);
         run UPDATE_D_SC;
+        prose "we can detect when this occurs using occlusion queries during the compositing phase";
         found = samples(COMPOSITED);
+        edition "surfaces and iterations are counted";
         composited = composited + found;
     },
 };
@@ -203,6 +237,7 @@ pub const PASS_5: Listing = Listing {
     source: "Carr et al. 2008, section 5.2, pass 5",
     dialect: Dialect::Calls,
     steps: steps! {
+        prose "a standard compositing pass ... to accumulate these surfaces into the final image (pass 5)";
         run UNDER;
         drawTransparentObjects();
     },
@@ -215,6 +250,7 @@ pub const PASS_6: Listing = Listing {
     source: "Carr et al. 2008, section 5.2, pass 6",
     dialect: Dialect::Calls,
     steps: steps! {
+        prose "we can peel this surface away as well using a z equals test in an additional compositing pass (pass 6)";
         glUseProgram(AT_BOUND_AS_PRINTED);
         drawTransparentObjects();
     },
@@ -226,6 +262,7 @@ pub const UPDATE_D_SC: Listing = Listing {
     source: "Carr et al. 2008, section 5.2",
     dialect: Dialect::Calls,
     steps: steps! {
+        prose "we update D(sc) to be the min of z_min_prev, z_min_post, and opaque_depth";
         glBindFramebuffer(BOUND);
         glDisable(STENCIL_TEST);
         glEnable(DEPTH_TEST);

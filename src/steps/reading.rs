@@ -1,0 +1,40 @@
+//! Readings of a text.
+
+use super::amend::{Amendment, Statement};
+use super::origin::Kind;
+
+/// How far a text is read as it stands.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Reading {
+    /// What the paper prints and says, and nothing where it is silent.
+    Literal,
+    /// And what fills its silence, so that only its errors are left.
+    AsPrinted,
+    /// And with its errors amended.
+    #[default]
+    Amended,
+}
+
+impl Reading {
+    /// All readings.
+    pub const ALL: [Self; 3] = [Self::Literal, Self::AsPrinted, Self::Amended];
+
+    /// Its name on the command line and in data.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Literal => "literal",
+            Self::AsPrinted => "as-printed",
+            Self::Amended => "amended",
+        }
+    }
+
+    /// The amendments that hold in this reading.
+    pub fn of<S: Statement>(self, amendments: &[Amendment<S>]) -> Vec<Amendment<S>> {
+        let holds = |amendment: &&Amendment<S>| match self {
+            Self::Literal => false,
+            Self::AsPrinted => matches!(amendment.kind, Kind::Filling(_)),
+            Self::Amended => true,
+        };
+        amendments.iter().filter(holds).copied().collect()
+    }
+}
