@@ -89,7 +89,7 @@ fn tree<S: Statement>(
 
 fn body<S: Statement>(statements: &'static [S], scope: Scope<'_, S>, make: Maker<S>) -> Value {
     let made = scope.walk(statements).filter_map(|met| match met {
-        Met::Amendment(_) | Met::ListLine(..) => None,
+        Met::Amendment(_) | Met::Line(..) => None,
         Met::Statement(statement, scope) => Some(with_origin(make(statement, scope), scope)),
     });
     made.collect()

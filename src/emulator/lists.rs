@@ -299,7 +299,7 @@ impl Run<'_> {
                     Met::Statement(line, _) if until.is_some() => return Err(misplaced(line)),
                     Met::Statement(ListLine::Until(end), _) => until = Some(*end),
                     Met::Statement(line, scope) => self.line(line, scope, here)?,
-                    Met::Amendment(_) | Met::ListLine(..) => {}
+                    Met::Amendment(_) | Met::Line(..) => {}
                 }
             }
             let end = until.ok_or_else(|| misplaced(&ListLine::Repeat(body)))?;

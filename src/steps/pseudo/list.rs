@@ -248,7 +248,7 @@ fn print_lines(
                 done.amendment(&lead(indent), it);
             }
             Met::Statement(line, scope) => print_statement(done, line, scope, indent),
-            Met::ListLine(line, scope) => done.rest(&lead(indent), line, scope),
+            Met::Line(line, scope) => done.rest(&lead(indent), line, scope),
         }
     }
 }
