@@ -6,7 +6,8 @@ mod printable;
 use std::io;
 use std::path::{Path, PathBuf};
 
-pub use nearest::{did_you_mean, nearest, with_slashes};
+pub use nearest::did_you_mean;
+pub(crate) use nearest::{nearest, with_slashes};
 pub use printable::{printable, printable_json, printable_lines};
 
 /// The crate's result.

@@ -145,17 +145,17 @@ impl<'c> GlMachine<'c> {
     /// they are tested, stored and compared by window-space depth. `glsl/common/fragment_depth.glsl` explains the stored
     /// value. Depth maps must be in 32-bit float. Classic calls and the shaders of the invariance experiment go by
     /// window-space depth all the same.
-    pub fn set_inverse_w(&mut self, near: Option<f32>) {
+    pub(crate) fn set_inverse_w(&mut self, near: Option<f32>) {
         self.programs.inverse_w = near.map(f32::to_bits);
     }
 
     /// Whether depths are 1/w.
-    pub fn has_inverse_w(&self) -> bool {
+    pub(crate) fn has_inverse_w(&self) -> bool {
         self.programs.inverse_w.is_some()
     }
 
     /// Draws and clears only so many rows from `first` on, counted from the bottom. With `None`, all rows.
-    pub fn set_band(&mut self, band: Option<[u32; 2]>) {
+    pub(crate) fn set_band(&mut self, band: Option<[u32; 2]>) {
         self.band = band;
         self.scissor_to_band();
     }

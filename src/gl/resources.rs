@@ -37,7 +37,7 @@ impl<'c> GlMachine<'c> {
     }
 
     /// Lets go of every map, buffer, framebuffer and volume.
-    pub fn free_every_map(&mut self) {
+    pub(crate) fn free_every_map(&mut self) {
         let gl = self.context.glow();
         self.programs.slices = None;
         self.volumes.free();
@@ -83,7 +83,7 @@ impl<'c> GlMachine<'c> {
     ///
     /// # Errors
     /// If there is no such framebuffer.
-    pub fn copy_to_window(&mut self, target: Target) -> Result<()> {
+    pub(crate) fn copy_to_window(&mut self, target: Target) -> Result<()> {
         let size = self.size();
         self.framebuffers.copy_to_window(self.context, target, size)
     }
@@ -123,7 +123,7 @@ impl<'c> GlMachine<'c> {
     ///
     /// # Errors
     /// If the driver has no room.
-    pub fn set_parameters(&mut self, parameters: BandParameters) -> Result<()> {
+    pub(crate) fn set_parameters(&mut self, parameters: BandParameters) -> Result<()> {
         let gl = self.context.glow();
         self.storages
             .allocate(self.context, BAND, BAND_BYTES, None)?;
@@ -137,7 +137,7 @@ impl<'c> GlMachine<'c> {
     ///
     /// # Errors
     /// There are more than the ids have bits or the driver has texture units for, or it has no room.
-    pub fn upload_volumes(&mut self, scene: &Scene) -> Result<[Define; 2]> {
+    pub(crate) fn upload_volumes(&mut self, scene: &Scene) -> Result<[Define; 2]> {
         self.upload(scene, 0.0)
     }
 
@@ -146,7 +146,7 @@ impl<'c> GlMachine<'c> {
     ///
     /// # Errors
     /// As [`upload_volumes`](Self::upload_volumes).
-    pub fn upload_slices(&mut self, scene: &Scene, spacing: f64) -> Result<()> {
+    pub(crate) fn upload_slices(&mut self, scene: &Scene, spacing: f64) -> Result<()> {
         self.programs.slices = Some(self.upload(scene, spacing)?);
         Ok(())
     }
@@ -162,11 +162,11 @@ impl<'c> GlMachine<'c> {
     ///
     /// # Errors
     /// None but what the driver has lost.
-    pub fn bind_volumes(&self) -> Result<()> {
+    pub(crate) fn bind_volumes(&self) -> Result<()> {
         self.volumes.bind(self.context.glow(), &self.storages)
     }
 
-    /// Bytes of the buffers that [`prefix_scan`](Self::prefix_scan) needs for so many numbers, the result included.
+    /// Bytes of the buffers that the prefix scan of an A-buffer needs for so many numbers, the result included.
     pub fn scan_bytes(numbers: u64) -> u64 {
         scan_bytes(numbers)
     }
@@ -176,7 +176,7 @@ impl<'c> GlMachine<'c> {
     ///
     /// # Errors
     /// If the driver has no room.
-    pub fn prefix_scan(&mut self, counts: Map, offsets: Storage) -> Result<()> {
+    pub(crate) fn prefix_scan(&mut self, counts: Map, offsets: Storage) -> Result<()> {
         let counts = self.maps.get(counts)?;
         self.programs.forget_current();
         self.scan

@@ -141,8 +141,8 @@ impl<'c> Renderer<'c> {
 
     /// Makes methods test, store and compare 1/w instead of window-space depth, whose values crowd together far from
     /// the near plane. The error of 1/w is some 1e-6 of the distance everywhere. No line of a listing changes: the
-    /// stored value grows with the distance from 0 to 1 ([`GlMachine::set_inverse_w`]). The cost is that drivers can no
-    /// longer test depths before they shade.
+    /// stored value grows with the distance from 0 to 1. The cost is that drivers can no longer test depths before they
+    /// shade.
     #[must_use]
     pub fn with_inverse_w(mut self) -> Self {
         self.inverse_w = true;

@@ -28,7 +28,7 @@ mod options;
 
 pub(super) use counting::expect_stencil;
 
-pub use bands::{Band, Room, bands};
+use bands::{Band, Room, bands};
 pub use options::{ABufferOptions, ArraySort, Fill, Keep, LARGEST_NETWORK, Manager, RecordColor};
 
 use array_sort::inserts;

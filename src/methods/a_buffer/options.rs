@@ -105,7 +105,7 @@ pub struct ABufferOptions {
     pub termination: f32,
     /// The most bytes that fragment lists may take, including the base offsets of all pixels. An image that needs more
     /// is rendered in horizontal bands. With `None`, the lists take as much as the driver has room for and renders
-    /// quickly ([`Room::quick`](super::Room::quick)).
+    /// quickly.
     pub budget: Option<u64>,
     /// Whether to run the paper's text without amendments: ppAO masked by the stencil buffer, and ppDP by depth alone.
     pub as_printed: bool,

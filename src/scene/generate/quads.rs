@@ -29,7 +29,7 @@ pub struct Quads {
     pub alpha: f32,
     /// The order of submission.
     pub order: SubmissionOrder,
-    /// The seed of [`Order::Shuffled`].
+    /// The seed of [`SubmissionOrder::Shuffled`].
     pub seed: u64,
 }
 
