@@ -130,6 +130,16 @@ pub enum Error {
         /// What to choose instead.
         remedy: String,
     },
+    /// A name that nothing has: of a method, of a listing, of an option's value.
+    #[error("there is no {kind} '{}'\n  {}", printable(.name), did_you_mean(.name, .known))]
+    Unknown {
+        /// The kind of thing that was named, without an article: `method`.
+        kind: &'static str,
+        /// The name.
+        name: String,
+        /// The names that there are.
+        known: Vec<String>,
+    },
     /// A request that makes no sense, whatever the files say.
     #[error("{}\n  {}", printable(.what), printable(.remedy))]
     Usage {
@@ -271,6 +281,16 @@ impl Error {
         Self::OutOfOrder {
             what: what.into(),
             remedy: remedy.into(),
+        }
+    }
+
+    /// A name that nothing has.
+    pub(crate) fn unknown(kind: &'static str, name: &str, known: &[impl AsRef<str>]) -> Self {
+        let known = known.iter().map(|known| known.as_ref().to_owned());
+        Self::Unknown {
+            kind,
+            name: name.to_owned(),
+            known: known.collect(),
         }
     }
 

@@ -58,10 +58,11 @@ pub mod low_level {
     pub mod report;
     pub mod scene;
     pub mod steps;
+    pub mod words;
 }
 
 // Inside of the crate, paths begin with a room.
-use low_level::{error, fragment, gl, image, memory, methods, oracle, papers, scene, steps};
+use low_level::{error, fragment, gl, image, memory, methods, oracle, papers, scene, steps, words};
 
 #[doc(inline)]
 pub use error::{Error, Result};

@@ -2,10 +2,12 @@
 
 use std::sync::LazyLock;
 
-use clap::builder::{PossibleValue, PossibleValuesParser};
+use clap::builder::PossibleValuesParser;
 use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches};
-use onionskin::low_level::methods::{Choice, Takes, Technique, methods_with};
-use onionskin::{Error, Method, Result, registry};
+use onionskin::low_level::methods::{Choice, Listed, Takes, Technique, methods_with};
+use onionskin::{Method, Result, registry};
+
+use super::words::possible;
 
 /// The options that are given on the command line, by name and value.
 pub(super) struct Chosen(Vec<(&'static str, String)>);
@@ -33,25 +35,33 @@ impl Chosen {
     /// If the method does not have an option, or options do not fit together.
     pub(super) fn apply_to(&self, mut method: Method) -> Result<Method> {
         for (name, value) in &self.0 {
-            method
-                .choose(name, value)
-                .map_err(|error| named(name, error))?;
+            method.choose(name, value)?;
         }
         method.check()?;
         Ok(method)
     }
 }
 
-/// Every option of the methods of the registry, in the registry's order and without repetition, each with its heading.
-fn offered() -> &'static [(Choice, String)] {
-    static OFFERED: LazyLock<Vec<(Choice, String)>> = LazyLock::new(|| {
-        let mut offered: Vec<(Choice, String)> = Vec::new();
-        for choice in registry().iter().flat_map(|row| row.method.choices()) {
-            if offered.iter().all(|(other, _)| other.name != choice.name) {
-                offered.push((
-                    choice,
-                    format!("Options of {}", methods_with(choice.name).join(", ")),
-                ));
+/// An option, its default, and the heading under which the help has it.
+struct Offer {
+    choice: Choice,
+    default: Option<String>,
+    heading: String,
+}
+
+/// Every option of the methods of the registry, in the registry's order and without repetition.
+fn offered() -> &'static [Offer] {
+    static OFFERED: LazyLock<Vec<Offer>> = LazyLock::new(|| {
+        let mut offered: Vec<Offer> = Vec::new();
+        for Listed { method, .. } in registry() {
+            for choice in method.choices() {
+                if offered.iter().all(|other| other.choice.name != choice.name) {
+                    offered.push(Offer {
+                        choice,
+                        default: method.value(choice.name),
+                        heading: format!("Options of {}", methods_with(choice.name).join(", ")),
+                    });
+                }
             }
         }
         offered
@@ -59,36 +69,29 @@ fn offered() -> &'static [(Choice, String)] {
     &OFFERED
 }
 
-/// The error, with the option's name.
-fn named(name: &str, error: Error) -> Error {
-    match error {
-        Error::Usage { what, remedy } => Error::option(name, what, remedy),
-        error => error,
-    }
-}
-
-fn argument(choice: Choice, heading: &'static str) -> Arg {
+fn argument(offer: &'static Offer) -> Arg {
+    let Offer {
+        choice,
+        default,
+        heading,
+    } = offer;
+    let default = default.as_ref().map(|value| format!(" [default: {value}]"));
     let argument = Arg::new(choice.name)
         .long(choice.name)
-        .help(choice.help)
-        .help_heading(heading);
+        .help(choice.help.to_owned() + &default.unwrap_or_default())
+        .help_heading(heading.as_str());
     match choice.takes {
         Takes::Nothing => argument.action(ArgAction::SetTrue),
         Takes::Value(name) => argument.value_name(name),
         Takes::Word(words) => argument
             .value_name("WORD")
-            .value_parser(PossibleValuesParser::new(
-                words
-                    .iter()
-                    .map(|&(word, meaning)| PossibleValue::new(word).help(meaning)),
-            )),
+            .value_parser(PossibleValuesParser::new(possible(words.iter()))),
     }
 }
 
 impl Args for Chosen {
     fn augment_args(command: Command) -> Command {
-        let arguments = offered().iter();
-        command.args(arguments.map(|(choice, heading)| argument(*choice, heading)))
+        command.args(offered().iter().map(argument))
     }
 
     fn augment_args_for_update(command: Command) -> Command {
@@ -98,7 +101,7 @@ impl Args for Chosen {
 
 impl FromArgMatches for Chosen {
     fn from_arg_matches(matches: &ArgMatches) -> Result<Self, clap::Error> {
-        let chosen = offered().iter().filter_map(|(choice, _)| {
+        let chosen = offered().iter().filter_map(|Offer { choice, .. }| {
             let value = match choice.takes {
                 Takes::Nothing => matches.get_flag(choice.name).then(String::new),
                 Takes::Value(_) | Takes::Word(_) => matches.get_one(choice.name).cloned(),

@@ -3,14 +3,16 @@
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use clap::{Args, ValueEnum};
+use clap::Args;
 use onionskin::low_level::image::{FileKind, check_writable};
+use onionskin::low_level::words::Words;
 use onionskin::report::{self, PlotKind};
 use onionskin::{Complexity, CountBy, Error, Result};
 use serde::Serialize;
 
 use super::output::{print_json, say};
 use super::setup::Setup;
+use super::words::one_of;
 
 /// Count how many layers each pixel has, and print their histogram
 ///
@@ -35,8 +37,8 @@ pub(super) struct Complexities {
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
     bin: u32,
     /// How fragments are counted. The result is the same, except that stencil ends at 255
-    #[arg(long, value_enum, default_value_t = By::Blending)]
-    by: By,
+    #[arg(long, value_name = "BY", value_parser = one_of(CountBy::VALUES), default_value_t = CountBy::Blending)]
+    by: CountBy,
     /// Print one JSON object and nothing else
     #[arg(long)]
     json: bool,
@@ -47,16 +49,6 @@ Examples:
   onionskin complexity scene.toml
   onionskin complexity model.obj -o layers.png --plot histogram.svg --csv histogram.csv
   onionskin complexity scene.toml --bin 8 --json | jq .percentile_99";
-
-#[derive(Clone, Copy, ValueEnum)]
-enum By {
-    /// Additive blending into a 32-bit float
-    Blending,
-    /// One atomic counter per pixel, as the paper has it
-    Atomics,
-    /// The stencil buffer: 255 means 255 or more
-    Stencil,
-}
 
 #[derive(Serialize)]
 struct Record<'a> {
@@ -78,12 +70,7 @@ impl Complexities {
         let scene = self.setup.scene()?;
         let context = self.setup.gl.context()?;
         let mut renderer = self.setup.renderer(&context, &scene)?;
-        let by = match self.by {
-            By::Blending => CountBy::Blending,
-            By::Atomics => CountBy::Atomics,
-            By::Stencil => CountBy::Stencil,
-        };
-        let complexity = renderer.complexity(&scene, by)?;
+        let complexity = renderer.complexity(&scene, self.by)?;
         self.write(&scene.name, &complexity)?;
         if self.json {
             print_json(&self.record(&scene.name, &complexity))?;

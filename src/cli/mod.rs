@@ -26,6 +26,7 @@ mod record;
 mod render;
 mod setup;
 mod slices;
+mod words;
 
 use std::process::ExitCode;
 

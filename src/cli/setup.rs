@@ -12,6 +12,7 @@ use onionskin::{
 use super::output::note;
 use super::probe;
 use super::progress::Progress;
+use super::words::one_of;
 
 const RENDERING: &str = "Options of every rendering";
 
@@ -66,11 +67,13 @@ pub(super) struct Setup {
     #[arg(long, value_name = "WxH", value_parser = size, help_heading = RENDERING)]
     size: Option<[u32; 2]>,
     /// How the image and the layers store their colours
-    #[arg(long, value_enum, default_value_t = Color::Rgba32f, help_heading = RENDERING)]
-    color: Color,
+    #[arg(long, value_name = "COLOR", value_parser = one_of(&[Format::Rgba8, Format::Rgba16F, Format::Rgba32F]),
+          default_value_t = Format::Rgba32F, help_heading = RENDERING)]
+    color: Format,
     /// How depths are stored
-    #[arg(long, value_enum, default_value_t = Depth::D32f, help_heading = RENDERING)]
-    depth: Depth,
+    #[arg(long, value_name = "DEPTH", value_parser = one_of(&[Format::Depth24Stencil8, Format::Depth32FStencil8]),
+          default_value_t = Format::Depth32FStencil8, help_heading = RENDERING)]
+    depth: Format,
     /// The clip planes between which depths are stored
     #[arg(long, value_enum, default_value_t = Planes::Fitted, help_heading = RENDERING)]
     planes: Planes,
@@ -93,24 +96,6 @@ pub(super) struct Gl {
     /// The backend of OpenGL: egl or osmesa [default: the first of them that works]
     #[arg(long, env = "ONIONSKIN_BACKEND", hide_env_values = true, value_name = "BACKEND", help_heading = RENDERING)]
     backend: Option<String>,
-}
-
-#[derive(Clone, Copy, Debug, ValueEnum)]
-enum Color {
-    /// 8 bits, rounded after every layer
-    Rgba8,
-    /// 16-bit float
-    Rgba16f,
-    /// 32-bit float
-    Rgba32f,
-}
-
-#[derive(Clone, Copy, Debug, ValueEnum)]
-enum Depth {
-    /// 24 bits, which show what goes wrong when they are sampled
-    D24,
-    /// 32-bit float
-    D32f,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -167,25 +152,16 @@ impl Setup {
 
     /// The formats of colours and depths, in words.
     pub(super) fn formats(&self) -> String {
-        format!("{:?} {:?}", self.color, self.depth)
+        format!("{} {}", self.color, self.depth)
     }
 
     /// A renderer for the scene's size.
     pub(super) fn renderer<'c>(&self, context: &'c Context, scene: &Scene) -> Result<Renderer<'c>> {
-        let color = match self.color {
-            Color::Rgba8 => Format::Rgba8,
-            Color::Rgba16f => Format::Rgba16F,
-            Color::Rgba32f => Format::Rgba32F,
-        };
-        let depth = match self.depth {
-            Depth::D24 => Format::Depth24Stencil8,
-            Depth::D32f => Format::Depth32FStencil8,
-        };
         if let Some(waste) = waste(scene) {
             note(format_args!("{waste}{}", self.planes.answer(scene)));
         }
         let renderer = Renderer::new(context, scene.size[0], scene.size[1])?;
-        let renderer = renderer.with_formats(color, depth);
+        let renderer = renderer.with_formats(self.color, self.depth);
         let renderer = match self.planes {
             Planes::Fitted => renderer,
             Planes::Given => renderer.with_given_planes(),

@@ -19,9 +19,10 @@ pub fn nearest<'a>(word: &str, known: &[&'a str]) -> Option<&'a str> {
 }
 
 /// The remedy for an unknown word: the known word that was probably meant, if there is one, and all known words.
-pub fn did_you_mean(word: &str, known: &[&str]) -> String {
+pub fn did_you_mean(word: &str, known: &[impl AsRef<str>]) -> String {
+    let known: Vec<_> = known.iter().map(AsRef::as_ref).collect();
     let all = known.join(", ");
-    match nearest(word, known) {
+    match nearest(word, &known) {
         Some(meant) => format!("Did you mean '{meant}'? Known are: {all}."),
         None => format!("Known are: {all}."),
     }

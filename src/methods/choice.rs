@@ -1,6 +1,9 @@
 //! The options of methods by name, with values as text, for the command line and for other callers without types.
 
+use std::fmt;
+
 use crate::error::{Error, Result};
+use crate::words::{self, Words};
 
 /// An option of a method, as it is described to people.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -9,7 +12,7 @@ pub struct Choice {
     pub name: &'static str,
     /// The values that it takes.
     pub takes: Takes,
-    /// Its effect, and its default.
+    /// Its effect.
     pub help: &'static str,
 }
 
@@ -24,17 +27,109 @@ pub enum Takes {
     Word(&'static [(&'static str, &'static str)]),
 }
 
-/// An option, and the function that sets it in a method's options.
+/// An option, and the value in a method's options that it sets.
 pub(super) struct Setter<O: 'static> {
     pub(super) choice: Choice,
-    pub(super) set: fn(&mut O, &str) -> Result<()>,
+    value: Reach<O>,
+}
+
+enum Reach<O: 'static> {
+    /// A field.
+    Field(fn(&mut O) -> &mut dyn Value),
+    /// Whatever the function does with the text.
+    By(fn(&mut O, &str) -> Result<()>),
 }
 
 impl Choice {
-    pub(super) const fn sets<O>(self, set: fn(&mut O, &str) -> Result<()>) -> Setter<O> {
-        Setter { choice: self, set }
+    /// The option sets a field.
+    pub(super) const fn of<O>(self, field: fn(&mut O) -> &mut dyn Value) -> Setter<O> {
+        Setter {
+            choice: self,
+            value: Reach::Field(field),
+        }
+    }
+
+    /// The option is set by a function.
+    pub(super) const fn by<O>(self, set: fn(&mut O, &str) -> Result<()>) -> Setter<O> {
+        Setter {
+            choice: self,
+            value: Reach::By(set),
+        }
     }
 }
+
+impl<O: Copy> Setter<O> {
+    /// Sets the value.
+    ///
+    /// # Errors
+    /// If the text is no value of the option.
+    pub(super) fn set(&self, options: &mut O, text: &str) -> Result<()> {
+        match self.value {
+            Reach::Field(field) => field(options).set(text),
+            Reach::By(set) => set(options, text),
+        }
+    }
+
+    /// The value as text, or `None` if it is not a field, or a flag.
+    pub(super) fn text(&self, mut options: O) -> Option<String> {
+        match self.value {
+            Reach::Field(field) => field(&mut options).text(),
+            Reach::By(_) => None,
+        }
+    }
+}
+
+/// A value that can be set by text.
+pub(super) trait Value {
+    /// Sets it.
+    ///
+    /// # Errors
+    /// If the text is no such value.
+    fn set(&mut self, text: &str) -> Result<()>;
+
+    /// Its text, or `None` for a flag, which has none.
+    fn text(&self) -> Option<String>;
+}
+
+impl<T: Words + fmt::Display> Value for T {
+    fn set(&mut self, text: &str) -> Result<()> {
+        *self = words::parse(text)?;
+        Ok(())
+    }
+
+    fn text(&self) -> Option<String> {
+        Some(self.to_string())
+    }
+}
+
+/// A flag.
+impl Value for bool {
+    fn set(&mut self, _: &str) -> Result<()> {
+        *self = true;
+        Ok(())
+    }
+
+    fn text(&self) -> Option<String> {
+        None
+    }
+}
+
+macro_rules! numbers {
+    ($($number:ty)*) => {
+        $(impl Value for $number {
+            fn set(&mut self, text: &str) -> Result<()> {
+                *self = number(text)?;
+                Ok(())
+            }
+
+            fn text(&self) -> Option<String> {
+                Some(self.to_string())
+            }
+        })*
+    };
+}
+
+numbers! { u32 f32 f64 }
 
 /// Several methods have this option.
 pub(super) const AS_PRINTED: Choice = Choice {
@@ -55,25 +150,4 @@ pub(super) fn number<T: std::str::FromStr>(text: &str) -> Result<T> {
             "write a number such as 8, or 0.5 where a part is meant",
         )
     })
-}
-
-/// The value of a word.
-///
-/// # Errors
-/// If the word is unknown.
-pub(super) fn word<T: Copy>(text: &str, words: &[(&str, T)]) -> Result<T> {
-    let found = words.iter().find(|(word, _)| *word == text);
-    found.map(|(_, value)| *value).ok_or_else(|| {
-        let known: Vec<_> = words.iter().map(|(word, _)| *word).collect();
-        Error::usage(
-            format!("'{text}' is not among its words"),
-            format!("write {}", known.join(" or ")),
-        )
-    })
-}
-
-/// Stores a value, or returns its error.
-pub(super) fn set<T>(place: &mut T, value: Result<T>) -> Result<()> {
-    *place = value?;
-    Ok(())
 }

@@ -10,7 +10,7 @@
 use super::algorithm::{Algorithm, Composited, DrawOrder, Drawn, Setup};
 use super::allocate_maps::allocate_maps;
 use super::batches::{Batch, batches, begin_batch};
-use super::choice::{AS_PRINTED, Choice, Setter, Takes, number, set};
+use super::choice::{AS_PRINTED, Choice, Setter, Takes, number};
 use super::entry::{EXACT_BUT_NOT_SLICES, Entry, Memory, Ties, Volumes};
 use super::expect_known::expect_known;
 use super::loop_guard::{LoopGuard, peeled};
@@ -290,9 +290,9 @@ fn no_improvement(text: &str) -> Error {
 
 impl Published for CoherentOptions {
     const CHOICES: &'static [Setter<Self>] = &[
-        SORT.sets(|o, text| set(&mut o.sorting, text.parse())),
-        IMPROVE.sets(|o, list| list.split(',').try_for_each(|text| improve(o, text))),
-        AS_PRINTED.sets(|o, _| set(&mut o.as_printed, Ok(true))),
+        SORT.of(|o| &mut o.sorting),
+        IMPROVE.by(|o, list| list.split(',').try_for_each(|text| improve(o, text))),
+        AS_PRINTED.of(|o| &mut o.as_printed),
     ];
 
     fn variants() -> Vec<Self> {

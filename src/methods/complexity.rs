@@ -11,6 +11,7 @@ use crate::papers::lindholm_2015 as paper;
 use crate::papers::stage;
 use crate::scene::Scene;
 use crate::steps::{Variables, run};
+use crate::words::words;
 
 /// The way to count fragments. On llvmpipe the fixed function is over ten times as fast as atomics.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -22,6 +23,12 @@ pub enum CountBy {
     Atomics,
     /// The stencil buffer: 255 means 255 or more.
     Stencil,
+}
+
+words! { CountBy, "way to count",
+    Blending "blending" "Additive blending into a 32-bit float",
+    Atomics "atomics" "One atomic counter per pixel, as the paper has it",
+    Stencil "stencil" "The stencil buffer: 255 means 255 or more",
 }
 
 /// The depth complexity image. It has for each pixel the number of transparent fragments before the opaque surfaces,

@@ -8,7 +8,7 @@
 
 use super::algorithm::{Algorithm, Composited, Drawn, Setup};
 use super::allocate_maps::allocate_maps;
-use super::choice::{Setter, number, set};
+use super::choice::Setter;
 use super::depth_peeling::PEELS;
 use super::entry::{EXACT_BUT_NOT_SLICES, Entry, Memory, Ties, Volumes};
 use super::iteration_bound::iteration_bound;
@@ -114,6 +114,5 @@ impl Technique for CoplanarDepthPeelingOptions {
 }
 
 impl Published for CoplanarDepthPeelingOptions {
-    const CHOICES: &'static [Setter<Self>] =
-        &[PEELS.sets(|o, text| set(&mut o.maximum_number_of_peels, number(text)))];
+    const CHOICES: &'static [Setter<Self>] = &[PEELS.of(|o| &mut o.maximum_number_of_peels)];
 }

@@ -10,7 +10,7 @@
 
 use super::algorithm::{Algorithm, Composited, Drawn, Setup};
 use super::allocate_maps::allocate_maps;
-use super::choice::{AS_PRINTED, Choice, Setter, Takes, number, set, word};
+use super::choice::{AS_PRINTED, Choice, Setter, Takes};
 use super::depth_unit_0::DepthUnit0;
 use super::entry::{Entry, Memory, Ties, Volumes};
 use super::expect_known::expect_known;
@@ -26,6 +26,7 @@ use crate::scene::Scene;
 use crate::steps::{
     Amendment, Call, DepthUnits, Listing, Machine, Outcome, Reason, Variables, run,
 };
+use crate::words::{Words, words};
 
 /// The way in which layers become an image.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -295,13 +296,13 @@ impl Technique for DepthPeelingOptions {
 pub(super) const PEELS: Choice = Choice {
     name: "peels",
     takes: Takes::Value("N"),
-    help: "At most this many peels, nearest first. 0 means no limit, as VTK documents it [default: 0]",
+    help: "At most this many peels, nearest first. 0 means no limit, as VTK documents it",
 };
 
 pub(super) const OCCLUSION_RATIO: Choice = Choice {
     name: "occlusion-ratio",
     takes: Takes::Value("0..1"),
-    help: "Stop after a peel that changed fewer pixels than this part of the image [default: 0, which is exact]",
+    help: "Stop after a peel that changed fewer pixels than this part of the image. 0 is exact",
 };
 
 const LAYERS: Choice = Choice {
@@ -312,30 +313,25 @@ const LAYERS: Choice = Choice {
 
 const DEPTH_UNIT_0: Choice = Choice {
     name: "depth-unit-0",
-    takes: Takes::Word(&[
-        ("sampler", "The rasteriser's depth, compared by the sampler"),
-        ("classic", "r/q, compared into alpha"),
-        (
-            "classic-depth-replace",
-            "The same, with r/q stored as the depth",
-        ),
-    ]),
+    takes: Takes::Word(DepthUnit0::WORDS),
     help: "Depth unit 0, which peels: a shadow sampler, or the alpha test of 2001 with or without Listing 2's depth \
-           replace [default: sampler]",
+           replace",
 };
+words! { DepthUnit0, "depth unit",
+    Sampler "sampler" "The rasteriser's depth, compared by the sampler",
+    Classic "classic" "r/q, compared into alpha",
+    ClassicDepthReplace "classic-depth-replace" "The same, with r/q stored as the depth",
+}
 
 impl Published for DepthPeelingOptions {
     const CHOICES: &'static [Setter<Self>] = &[
-        PEELS.sets(|o, text| set(&mut o.maximum_number_of_peels, number(text))),
-        OCCLUSION_RATIO.sets(|o, text| set(&mut o.occlusion_ratio, number(text))),
-        LAYERS.sets(|o, _| set(&mut o.compositing, Ok(Compositing::KeepLayers))),
-        DEPTH_UNIT_0.sets(|o, text| set(&mut o.depth_unit_0, word(text, &DEPTH_UNITS))),
-        AS_PRINTED.sets(|o, _| set(&mut o.as_printed, Ok(true))),
+        PEELS.of(|o| &mut o.maximum_number_of_peels),
+        OCCLUSION_RATIO.of(|o| &mut o.occlusion_ratio),
+        LAYERS.by(|o, _| {
+            o.compositing = Compositing::KeepLayers;
+            Ok(())
+        }),
+        DEPTH_UNIT_0.of(|o| &mut o.depth_unit_0),
+        AS_PRINTED.of(|o| &mut o.as_printed),
     ];
 }
-
-const DEPTH_UNITS: [(&str, DepthUnit0); 3] = [
-    ("sampler", DepthUnit0::Sampler),
-    ("classic", DepthUnit0::Classic),
-    ("classic-depth-replace", DepthUnit0::ClassicDepthReplace),
-];

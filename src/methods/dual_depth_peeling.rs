@@ -11,7 +11,7 @@
 
 use super::algorithm::{Algorithm, Composited, Drawn, Setup};
 use super::allocate_maps::allocate_maps;
-use super::choice::{Setter, number, set};
+use super::choice::Setter;
 use super::depth_peeling::{DepthPeelingOptions, OCCLUSION_RATIO, PEELS};
 use super::entry::{EXACT_BUT_NOT_SLICES, Entry, Memory, Ties, Volumes};
 use super::expect_known::expect_known;
@@ -149,7 +149,7 @@ impl Technique for DualDepthPeelingOptions {
 
 impl Published for DualDepthPeelingOptions {
     const CHOICES: &'static [Setter<Self>] = &[
-        PEELS.sets(|o, text| set(&mut o.maximum_number_of_peels, number(text))),
-        OCCLUSION_RATIO.sets(|o, text| set(&mut o.occlusion_ratio, number(text))),
+        PEELS.of(|o| &mut o.maximum_number_of_peels),
+        OCCLUSION_RATIO.of(|o| &mut o.occlusion_ratio),
     ];
 }

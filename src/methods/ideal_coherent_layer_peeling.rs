@@ -6,7 +6,7 @@
 
 use super::algorithm::{Algorithm, Composited, DrawOrder, Drawn, Setup};
 use super::allocate_maps::allocate_maps;
-use super::choice::{AS_PRINTED, Setter, set, word};
+use super::choice::{AS_PRINTED, Setter};
 use super::coherent_layer_peeling::{IMPROVE, one_of_both};
 use super::entry::{EXACT_BUT_NOT_SLICES, Entry, Memory, Ties, Volumes};
 use super::loop_guard::{LoopGuard, peeled};
@@ -151,16 +151,16 @@ impl Technique for IdealOptions {
 
 impl Published for IdealOptions {
     const CHOICES: &'static [Setter<Self>] = &[
-        SORT.sets(|o, text| set(&mut o.sorting, text.parse())),
-        IMPROVE.sets(|o, list| {
-            for improvement in list.split(',') {
-                set(
-                    &mut o.tight_bound,
-                    word(improvement, &[("tight-bound", true)]),
-                )?;
+        SORT.of(|o| &mut o.sorting),
+        IMPROVE.by(|o, list| {
+            const TIGHT_BOUND: &str = "tight-bound";
+            let unknown = list.split(',').find(|&text| text != TIGHT_BOUND);
+            if let Some(name) = unknown {
+                return Err(Error::unknown("improvement", name, &[TIGHT_BOUND]));
             }
+            o.tight_bound = true;
             Ok(())
         }),
-        AS_PRINTED.sets(|o, _| set(&mut o.as_printed, Ok(true))),
+        AS_PRINTED.of(|o| &mut o.as_printed),
     ];
 }

@@ -7,7 +7,7 @@
 
 use super::algorithm::{Algorithm, Drawn, Setup};
 use super::allocate_maps::allocate_maps;
-use super::choice::{AS_PRINTED, Setter, set};
+use super::choice::{AS_PRINTED, Setter};
 use super::entry::{EXACT_BUT_NOT_SLICES, Entry, Memory, Ties, Volumes};
 use super::loop_guard::{LoopGuard, peeled};
 use super::technique::{Published, Technique};
@@ -74,6 +74,5 @@ impl Technique for LayerPeelingOptions {
 }
 
 impl Published for LayerPeelingOptions {
-    const CHOICES: &'static [Setter<Self>] =
-        &[AS_PRINTED.sets(|o, _| set(&mut o.as_printed, Ok(true)))];
+    const CHOICES: &'static [Setter<Self>] = &[AS_PRINTED.of(|o| &mut o.as_printed)];
 }

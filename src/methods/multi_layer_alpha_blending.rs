@@ -17,7 +17,7 @@ mod tests;
 
 use super::algorithm::{Algorithm, Drawn, Setup};
 use super::allocate_maps::allocate_maps;
-use super::choice::{Choice, Setter, Takes, set, word};
+use super::choice::{Choice, Setter, Takes};
 use super::entry::{Entry, Memory, Ties, Volumes};
 use super::technique::{Published, Technique};
 use crate::error::{Error, Result};
@@ -25,6 +25,7 @@ use crate::gl::GlMachine;
 use crate::papers::salvi_2014::{EIGHT_NODES, FOUR_NODES, RESOURCES_OF_EIGHT, RESOURCES_OF_FOUR};
 use crate::scene::Scene;
 use crate::steps::{Variables, run};
+use crate::words::{Words, words};
 
 const FETCH: &str = "GL_EXT_shader_framebuffer_fetch";
 
@@ -108,18 +109,14 @@ impl Technique for MultiLayerOptions {
 
 const NODES: Choice = Choice {
     name: "nodes",
-    takes: Takes::Word(&[
-        ("4", "64 bytes for each pixel"),
-        ("8", "128 bytes for each pixel"),
-    ]),
-    help: "How many nodes a pixel has; further fragments are merged [default: 4]",
+    takes: Takes::Word(Nodes::WORDS),
+    help: "How many nodes a pixel has; further fragments are merged",
 };
+words! { Nodes, "number of nodes",
+    Four "4" "64 bytes for each pixel",
+    Eight "8" "128 bytes for each pixel",
+}
 
 impl Published for MultiLayerOptions {
-    const CHOICES: &'static [Setter<Self>] = &[NODES.sets(|o, text| {
-        set(
-            &mut o.nodes,
-            word(text, &[("4", Nodes::Four), ("8", Nodes::Eight)]),
-        )
-    })];
+    const CHOICES: &'static [Setter<Self>] = &[NODES.of(|o| &mut o.nodes)];
 }

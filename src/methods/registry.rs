@@ -70,6 +70,14 @@ macro_rules! method {
                 }
             }
 
+            /// The value of an option by name, as text. `None` if the method has no such option, if the option takes no
+            /// value, or if its value has no short text.
+            pub fn value(&self, name: &str) -> Option<String> {
+                match self {
+                    $(of!(pattern options $name $($options)?) => value(*of!(value options $name $($options)?), name),)*
+                }
+            }
+
             fn all() -> Vec<Self> {
                 let mut all = Vec::new();
                 $(all.extend(of!(variants $name $($options)?));)*
@@ -136,7 +144,24 @@ fn choose<O: Published>(method: Method, options: &mut O, name: &str, value: &str
     let Some(setter) = setter else {
         return Err(refusal(method, name));
     };
-    (setter.set)(options, value)
+    setter.set(options, value).map_err(|error| match error {
+        Error::Usage { what, remedy } => Error::option(name, what, remedy),
+        Error::Unknown {
+            kind,
+            name: word,
+            known,
+        } => Error::option(
+            name,
+            format!("there is no {kind} '{word}'"),
+            did_you_mean(&word, &known),
+        ),
+        error => error,
+    })
+}
+
+fn value<O: Published>(options: O, name: &str) -> Option<String> {
+    let setter = O::CHOICES.iter().find(|setter| setter.choice.name == name);
+    setter?.text(options)
 }
 
 /// The error for an unknown option: the methods that have it, and the options of this method.
@@ -240,16 +265,15 @@ impl FromStr for Method {
         let found = registry().iter().find(|row| row.name == name);
         found.map(|row| row.method).ok_or_else(|| {
             let names: Vec<_> = registry().iter().map(|row| row.name).collect();
-            Error::usage(
-                format!("there is no method '{name}'"),
-                did_you_mean(name, &names),
-            )
+            Error::unknown("method", name, &names)
         })
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use std::collections::BTreeMap;
+
     use super::*;
     use crate::methods::Takes;
 
@@ -271,6 +295,34 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn every_value_that_is_shown_can_be_chosen_and_is_the_same_for_all_methods() {
+        let mut shown: BTreeMap<&str, String> = BTreeMap::new();
+        for row in registry() {
+            for choice in row.method.choices() {
+                let Some(value) = row.method.value(choice.name) else {
+                    continue;
+                };
+                let mut method = row.method;
+                method.choose(choice.name, &value).unwrap();
+                assert_eq!(method, row.method, "{} {value}", choice.name);
+                // The help has one default for each option.
+                let first = shown.entry(choice.name).or_insert(value.clone());
+                assert_eq!(*first, value, "{} {}", row.name, choice.name);
+            }
+        }
+        assert!(shown.len() > 10, "{shown:?}");
+    }
+
+    #[test]
+    fn a_value_that_was_chosen_is_shown() {
+        let mut method: Method = "dual-depth-peeling".parse().unwrap();
+        assert_eq!(method.value("peels").as_deref(), Some("0"));
+        method.choose("peels", "3").unwrap();
+        assert_eq!(method.value("peels").as_deref(), Some("3"));
+        assert_eq!(method.value("layers"), None);
     }
 
     #[test]

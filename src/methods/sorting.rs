@@ -3,9 +3,10 @@
 //!
 //! It is done beforehand, for one view, and a frame's time does not contain it.
 
+use std::fmt;
 use std::str::FromStr;
 
-use super::choice::{Choice, Takes};
+use super::choice::{Choice, Takes, Value};
 use crate::error::{Error, Result};
 use crate::scene::{Mesh, Scene};
 
@@ -26,7 +27,7 @@ pub enum TriangleSort {
 pub(super) const SORT: Choice = Choice {
     name: "sort",
     takes: Takes::Value("HOW"),
-    help: "How triangles are sorted beforehand: submission, objects, reversed or buckets=N [default: buckets=256]",
+    help: "How triangles are sorted beforehand: submission, objects, reversed or buckets=N",
 };
 
 impl Default for TriangleSort {
@@ -40,27 +41,52 @@ impl Default for TriangleSort {
 impl FromStr for TriangleSort {
     type Err = Error;
 
-    /// `submission`, `objects`, `buckets`, `reversed`, or `buckets=N`.
+    /// `submission`, `objects`, `buckets=N`, `reversed=N`. Without a number there are 256 buckets.
     fn from_str(text: &str) -> Result<Self> {
+        let unknown = || {
+            Error::usage(
+                format!("'{text}' is no way to sort"),
+                "write submission, objects, reversed, or buckets=N with N from 1 to 16777216",
+            )
+        };
         match text.split_once('=') {
             None if text == "submission" => Ok(Self::Submission),
             None if text == "objects" => Ok(Self::Objects),
             None if text == "buckets" => Ok(Self::default()),
             None if text == "reversed" => Ok(Self::Reversed(256)),
-            Some(("buckets", count)) if count.parse::<u32>().is_ok_and(is_within_reason) => {
-                Ok(Self::Buckets(count.parse().unwrap_or(1)))
-            }
-            _ => Err(Error::usage(
-                format!("'{text}' is no way to sort"),
-                "write submission, objects, reversed, or buckets=N with N from 1 to 16777216",
-            )),
+            Some(("buckets", count)) => buckets(count).map(Self::Buckets).ok_or_else(unknown),
+            Some(("reversed", count)) => buckets(count).map(Self::Reversed).ok_or_else(unknown),
+            _ => Err(unknown()),
         }
     }
 }
 
-/// Whether so many buckets still fit into memory.
-fn is_within_reason(buckets: u32) -> bool {
-    (1..=1 << 24).contains(&buckets)
+/// The number of buckets, if so many fit into memory.
+fn buckets(text: &str) -> Option<u32> {
+    let count = text.parse().ok();
+    count.filter(|count| (1..=1 << 24).contains(count))
+}
+
+impl fmt::Display for TriangleSort {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Submission => f.pad("submission"),
+            Self::Objects => f.pad("objects"),
+            Self::Buckets(count) => write!(f, "buckets={count}"),
+            Self::Reversed(count) => write!(f, "reversed={count}"),
+        }
+    }
+}
+
+impl Value for TriangleSort {
+    fn set(&mut self, text: &str) -> Result<()> {
+        *self = text.parse()?;
+        Ok(())
+    }
+
+    fn text(&self) -> Option<String> {
+        Some(self.to_string())
+    }
 }
 
 impl TriangleSort {

@@ -14,7 +14,7 @@ mod tests;
 
 use super::algorithm::{Algorithm, Drawn, Setup};
 use super::allocate_maps::allocate_maps;
-use super::choice::{Choice, Setter, Takes, set, word};
+use super::choice::{Choice, Setter, Takes};
 use super::entry::{Entry, Memory, Ties, Volumes};
 use super::technique::{Published, Technique};
 use crate::error::Result;
@@ -22,6 +22,7 @@ use crate::gl::GlMachine;
 use crate::papers::mcguire_2013::{RESOURCES, WEIGHTED_BLENDED};
 use crate::scene::Scene;
 use crate::steps::{Variables, run};
+use crate::words::{Words, words};
 
 /// What can be chosen about weighted blended transparency.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -91,25 +92,16 @@ impl Technique for WeightedBlendedOptions {
 
 const WEIGHT: Choice = Choice {
     name: "weight",
-    takes: Takes::Word(&[
-        (
-            "7",
-            "Falls with the distance's second power, then its sixth",
-        ),
-        ("8", "Falls with the distance's third power, then its sixth"),
-        ("9", "Falls with the distance's fourth power"),
-        ("10", "Falls with window-space depth"),
-    ]),
-    help: "Which of the paper's equations weighs fragments [default: 7]",
+    takes: Takes::Word(Weight::WORDS),
+    help: "Which of the paper's equations weighs fragments",
 };
-const WEIGHTS: [(&str, Weight); 4] = [
-    ("7", Weight::Equation7),
-    ("8", Weight::Equation8),
-    ("9", Weight::Equation9),
-    ("10", Weight::Equation10),
-];
+words! { Weight, "weight",
+    Equation7 "7" "Falls with the distance's second power, then its sixth",
+    Equation8 "8" "Falls with the distance's third power, then its sixth",
+    Equation9 "9" "Falls with the distance's fourth power",
+    Equation10 "10" "Falls with window-space depth",
+}
 
 impl Published for WeightedBlendedOptions {
-    const CHOICES: &'static [Setter<Self>] =
-        &[WEIGHT.sets(|o, text| set(&mut o.weight, word(text, &WEIGHTS)))];
+    const CHOICES: &'static [Setter<Self>] = &[WEIGHT.of(|o| &mut o.weight)];
 }

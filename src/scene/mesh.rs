@@ -6,6 +6,7 @@ use super::bounds::Bounds;
 use super::chance::Chance;
 use super::normals;
 use crate::fragment::Rgba;
+use crate::words::words;
 
 /// A corner of a triangle.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -36,6 +37,13 @@ pub enum Shading {
     /// Outside of all volumes the fragment is clear. The renderer uses this for slices of volumes; no scene file can
     /// name it.
     Slice,
+}
+
+words! { Shading, "shading",
+    None "none" "The vertices' colour as it is",
+    Flat "flat" "Light from the eye, with one normal per triangle",
+    Lit "lit" "Light from the eye, with interpolated normals",
+    TwoSided "two-sided" "Light from the eye, with a colour for each side",
 }
 
 /// A list of triangles.

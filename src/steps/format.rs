@@ -1,5 +1,7 @@
 //! Formats of maps.
 
+use crate::words::words;
+
 /// The format of a map's texels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Format {
@@ -31,6 +33,23 @@ pub enum Format {
     Depth24,
     /// 32-bit float depth alone.
     Depth32F,
+}
+
+words! { Format, "format",
+    Rgba8 "rgba8" "8 bits, rounded after every layer",
+    Rgb10A2 "rgb10a2" "10 bits, and 2 bits of alpha",
+    Rgba16F "rgba16f" "16-bit float",
+    Rgba32F "rgba32f" "32-bit float",
+    R32F "r32f" "One 32-bit float",
+    Rg32F "rg32f" "Two 32-bit floats",
+    Rg16 "rg16" "Two 16-bit fixed-point numbers",
+    R32Ui "r32ui" "One 32-bit whole number",
+    Rgba32Ui "rgba32ui" "Four 32-bit whole numbers",
+    Depth32FStencil8 "d32f" "32-bit float",
+    Depth24Stencil8 "d24" "24 bits, which show what goes wrong when they are sampled",
+    Depth16 "d16-alone" "16 bits, without a stencil",
+    Depth24 "d24-alone" "24 bits, without a stencil",
+    Depth32F "d32f-alone" "32-bit float, without a stencil",
 }
 
 impl Format {

@@ -1,99 +1,89 @@
 //! The options of A-buffers, by name.
 
-use super::super::choice::{AS_PRINTED, Choice, Setter, Takes, number, set, word};
+use super::super::choice::{AS_PRINTED, Choice, Setter, Takes, number};
 use super::options::{ABufferOptions, ArraySort, Fill, Keep, RecordColor};
+use crate::words::{Words, words};
 
 pub(super) const CHOICES: &[Setter<ABufferOptions>] = &[
-    ARRAY.sets(|o, text| set(&mut o.array, number(text))),
-    KEEP.sets(|o, text| set(&mut o.keep, word(text, &KEEPS))),
-    PEEL.sets(|o, text| set(&mut o.peel, number(text))),
-    TERMINATION.sets(|o, text| set(&mut o.termination, number(text))),
-    BUDGET.sets(|o, text| {
+    ARRAY.of(|o| &mut o.array),
+    KEEP.of(|o| &mut o.keep),
+    PEEL.of(|o| &mut o.peel),
+    TERMINATION.of(|o| &mut o.termination),
+    BUDGET.by(|o, text| {
         let mebibytes: u64 = number(text)?;
-        set(&mut o.budget, Ok(Some(mebibytes.saturating_mul(1 << 20))))
+        o.budget = Some(mebibytes.saturating_mul(1 << 20));
+        Ok(())
     }),
-    FILL.sets(|o, text| set(&mut o.fill, word(text, &FILLS))),
-    ARRAY_SORT.sets(|o, text| set(&mut o.sort, word(text, &SORTS))),
-    RECORD_COLOR.sets(|o, text| set(&mut o.color, word(text, &COLORS))),
-    AS_PRINTED.sets(|o, _| set(&mut o.as_printed, Ok(true))),
+    FILL.of(|o| &mut o.fill),
+    ARRAY_SORT.of(|o| &mut o.sort),
+    RECORD_COLOR.of(|o| &mut o.color),
+    AS_PRINTED.of(|o| &mut o.as_printed),
 ];
 
 const ARRAY: Choice = Choice {
     name: "array",
     takes: Takes::Value("N"),
     help: "The number of fragments that the local array holds: 8, 16, 32 ... 256. Fragments that a static array cannot \
-           hold are lost, and counted [default: 64]",
+           hold are lost, and counted",
 };
 
 const KEEP: Choice = Choice {
     name: "keep",
-    takes: Takes::Word(&[
-        (
-            "first",
-            "The first fragments of the list. With ffb and dfb they were submitted first, with ppll last",
-        ),
-        (
-            "nearest",
-            "The nearest fragments. The image is then that of the nearest N",
-        ),
-    ]),
-    help: "The fragments that a full local array keeps if nothing peels the rest. The paper leaves it open [default: \
-           first]",
+    takes: Takes::Word(Keep::WORDS),
+    help: "The fragments that a full local array keeps if nothing peels the rest. The paper leaves it open",
 };
-const KEEPS: [(&str, Keep); 2] = [("first", Keep::First), ("nearest", Keep::Nearest)];
+words! { Keep, "rule for a full array",
+    First "first" "The first fragments of the list. With ffb and dfb they were submitted first, with ppll last",
+    Nearest "nearest" "The nearest fragments. The image is then that of the nearest N",
+}
 
 const PEEL: Choice = Choice {
     name: "peel",
     takes: Takes::Value("N"),
-    help: "The number of fragments that ppDP peels at a time, 1 to 64 [default: 8]",
+    help: "The number of fragments that ppDP peels at a time, 1 to 64",
 };
 
 const TERMINATION: Choice = Choice {
     name: "termination",
     takes: Takes::Value("0..1"),
-    help: "End a ray when less light than this comes through. The paper has 0.02 [default: 0, which is exact]",
+    help: "End a ray when less light than this comes through. 0 is exact; the paper has 0.02",
 };
 
 const BUDGET: Choice = Choice {
     name: "budget",
     takes: Takes::Value("MIB"),
-    help: "The most MiB that fragment lists may take. An image that needs more is rendered in horizontal bands \
-           [default: as many as are quick, on llvmpipe 8, and more for many triangles]",
+    help: "The most MiB that fragment lists may take. An image that needs more is rendered in horizontal bands. Without \
+           it, lists take as many as are quick: on llvmpipe 8, and more for many triangles",
 };
 
 const FILL: Choice = Choice {
     name: "fill",
-    takes: Takes::Word(&[
-        ("atomics", "Image atomics, as the paper has it"),
-        (
-            "ordered",
-            "Framebuffer fetch, by which a pixel's fragments come in order",
-        ),
-    ]),
-    help: "How lists are filled [default: ordered where the driver has it]",
+    takes: Takes::Word(Fill::WORDS),
+    help: "How lists are filled",
 };
-const FILLS: [(&str, Fill); 2] = [("atomics", Fill::Atomics), ("ordered", Fill::Ordered)];
+words! { Fill, "way to fill lists",
+    Automatic "automatic" "Ordered where the driver has it, otherwise atomics",
+    Atomics "atomics" "Image atomics, as the paper has it",
+    Ordered "ordered" "Framebuffer fetch, by which a pixel's fragments come in order",
+}
 
 const ARRAY_SORT: Choice = Choice {
     name: "array-sort",
-    takes: Takes::Word(&[
-        ("insertion", "Insertion sort, as the paper has it"),
-        ("network", "A network of comparators"),
-    ]),
-    help: "How local arrays are sorted. The result is the same [default: the quicker sort for the scene]",
+    takes: Takes::Word(ArraySort::WORDS),
+    help: "How local arrays are sorted. The result is the same",
 };
-const SORTS: [(&str, ArraySort); 2] = [
-    ("insertion", ArraySort::Insertion),
-    ("network", ArraySort::Network),
-];
+words! { ArraySort, "sort of local arrays",
+    Automatic "automatic" "The quicker sort for the scene",
+    Insertion "insertion" "Insertion sort, as the paper has it",
+    Network "network" "A network of comparators",
+}
 
 const RECORD_COLOR: Choice = Choice {
     name: "record-color",
-    takes: Takes::Word(&[
-        ("half", "Four 16-bit floats, as the paper has it"),
-        ("float", "Four 32-bit floats"),
-    ]),
-    help: "How fragment records keep colours [default: half]",
+    takes: Takes::Word(RecordColor::WORDS),
+    help: "How fragment records keep colours",
 };
-const COLORS: [(&str, RecordColor); 2] =
-    [("half", RecordColor::Half), ("float", RecordColor::Float)];
+words! { RecordColor, "format of a record's colour",
+    Half "half" "Four 16-bit floats, as the paper has it",
+    Float "float" "Four 32-bit floats",
+}

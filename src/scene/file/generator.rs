@@ -7,9 +7,7 @@ use super::limits::ANY;
 use super::seed::seed;
 use super::volume::NamedVolume;
 use crate::error::Result;
-use crate::scene::generate::{
-    Cone, Generator, Plane, Quads, Slices, Soup, SubmissionOrder, Teapot, TorusKnot,
-};
+use crate::scene::generate::{Cone, Generator, Plane, Quads, Slices, Soup, Teapot, TorusKnot};
 
 /// Reads the parameters of one generator. A parameter that is left out has the default that the generator documents.
 type Reader = fn(&Keys) -> Result<Box<dyn Generator>>;
@@ -89,12 +87,6 @@ pub(super) fn names() -> String {
     format!("{own}, {ISOSURFACE}")
 }
 
-const ORDERS: [(&str, SubmissionOrder); 3] = [
-    ("front-to-back", SubmissionOrder::FrontToBack),
-    ("back-to-front", SubmissionOrder::BackToFront),
-    ("shuffled", SubmissionOrder::Shuffled),
-];
-
 fn teapot(keys: &Keys) -> Result<Box<dyn Generator>> {
     let cells = keys.integer32("cells")?;
     Ok(Box::new(Teapot {
@@ -125,7 +117,7 @@ fn quads(keys: &Keys) -> Result<Box<dyn Generator>> {
         depths,
         colors: keys.vectors32("colors", &ANY)?.unwrap_or(default.colors),
         alpha: keys.number32("alpha", &ANY)?.unwrap_or(default.alpha),
-        order: keys.choice("order", &ORDERS)?.unwrap_or_default(),
+        order: keys.word("order")?.unwrap_or_default(),
         seed: seed(keys)?,
     }))
 }
@@ -137,7 +129,7 @@ fn slices(keys: &Keys) -> Result<Box<dyn Generator>> {
         size: keys.number32("size", &ANY)?.unwrap_or(default.size),
         cells: keys.integer32("cells")?.unwrap_or(default.cells),
         alpha: keys.number32("alpha", &ANY)?.unwrap_or(default.alpha),
-        order: keys.choice("order", &ORDERS)?.unwrap_or_default(),
+        order: keys.word("order")?.unwrap_or_default(),
         seed: seed(keys)?,
     }))
 }

@@ -12,6 +12,7 @@ use super::limits::Limits;
 use super::place::Document;
 use super::value::Value;
 use crate::error::{Error, Place, Result, nearest};
+use crate::words::Words;
 
 /// A table and its name.
 pub(super) struct Keys<'a> {
@@ -191,6 +192,13 @@ impl<'a> Keys<'a> {
             let text = |item: Value<'a>| item.get().as_str().ok_or_else(|| item.mistyped(wanted));
             value.items(wanted)?.map(text).collect()
         })
+    }
+
+    /// A word of a type.
+    pub(super) fn word<T: Words>(&self, key: &'a str) -> Result<Option<T>> {
+        let words = T::WORDS.iter().map(|(word, _)| *word);
+        let choices: Vec<_> = words.zip(T::VALUES.iter().copied()).collect();
+        self.choice(key, &choices)
     }
 
     /// One of several words, as the value that it stands for.

@@ -26,13 +26,6 @@ const COMMON: [&str; 5] = ["name", "shading", "inside", "sorted", "transform"];
 /// The keys that say where a mesh comes from, and the keys of a model.
 const OWN: [&str; 4] = ["file", "generate", "color", "opacity"];
 
-const SHADINGS: [(&str, Shading); 4] = [
-    ("none", Shading::None),
-    ("flat", Shading::Flat),
-    ("lit", Shading::Lit),
-    ("two-sided", Shading::TwoSided),
-];
-
 /// Reads all meshes. Isosurfaces are made from these volumes.
 pub(super) fn load_all(top: &Keys, volumes: &[NamedVolume]) -> Result<Loaded> {
     let mut loaded = Loaded::default();
@@ -149,7 +142,7 @@ fn paint(keys: &Keys) -> Result<Paint> {
 /// The keys that files and generators share.
 fn finish(keys: &Keys, loaded: &mut Loaded, first: usize) -> Result<()> {
     let transform = transform::read(keys)?;
-    let shading = keys.choice("shading", &SHADINGS)?.unwrap_or_default();
+    let shading = keys.word("shading")?.unwrap_or_default();
     let inside = keys.vector32("inside", &FRACTION)?;
     let sorted = keys.flag("sorted")?.unwrap_or(false);
     if inside.is_some() && shading != Shading::TwoSided {

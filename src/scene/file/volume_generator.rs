@@ -5,8 +5,8 @@ use super::limits::ANY;
 use crate::error::Result;
 use crate::scene::Volume;
 use crate::scene::generate::{
-    Atom, Ball, Constant, Ejection, EjectionPart, Field, Gradient, Lattice, Potential, Refusal,
-    SheppLogan, Swirl, bytes_of_samples, sampled,
+    Atom, Ball, Constant, Ejection, Field, Gradient, Lattice, Potential, Refusal, SheppLogan,
+    Swirl, bytes_of_samples, sampled,
 };
 
 /// Reads the parameters of one generator. A parameter that is left out has the default that the generator documents.
@@ -105,16 +105,11 @@ fn potential(keys: &Keys) -> Result<Box<dyn Field>> {
     }))
 }
 
-const PARTS: [(&str, EjectionPart); 2] = [
-    ("particles", EjectionPart::Particles),
-    ("energy", EjectionPart::Energy),
-];
-
 fn ejection(keys: &Keys) -> Result<Box<dyn Field>> {
     let default = Ejection::default();
     Ok(Box::new(Ejection {
         lattice: lattice(keys, default.lattice)?,
-        part: keys.choice("part", &PARTS)?.unwrap_or(default.part),
+        part: keys.word("part")?.unwrap_or(default.part),
         front: keys.number32("front", &ANY)?.unwrap_or(default.front),
         spread: keys.number32("spread", &ANY)?.unwrap_or(default.spread),
     }))

@@ -1,6 +1,7 @@
 //! The order in which parallel surfaces are submitted.
 
 use crate::scene::chance::Chance;
+use crate::words::words;
 
 /// An order of submission, for an eye on the +z side.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -12,6 +13,12 @@ pub enum SubmissionOrder {
     BackToFront,
     /// A random order, given by the seed.
     Shuffled,
+}
+
+words! { SubmissionOrder, "order of submission",
+    FrontToBack "front-to-back" "The nearest surface first",
+    BackToFront "back-to-front" "The farthest surface first",
+    Shuffled "shuffled" "In a random order",
 }
 
 impl SubmissionOrder {

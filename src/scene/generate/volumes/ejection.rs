@@ -7,6 +7,7 @@ use crate::error::Result;
 use crate::scene::Volume;
 use crate::scene::generate::Refusal;
 use crate::scene::generate::limits::within;
+use crate::words::words;
 
 /// A front that runs from the origin along x, like a coronal mass ejection. It is not a simulation but two smooth
 /// fields, 0 to 1, which share a place and differ in shape.
@@ -31,6 +32,11 @@ pub enum EjectionPart {
     Particles,
     /// The energy. It is dense at the front's nose, which frays into seven tongues, and leaves a trail back to the sun.
     Energy,
+}
+
+words! { EjectionPart, "part of an ejection",
+    Particles "particles" "The density of particles",
+    Energy "energy" "The energy",
 }
 
 impl Default for Ejection {
