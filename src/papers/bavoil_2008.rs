@@ -21,6 +21,8 @@ pub const PAPER: Paper = Paper {
     citation: "Louis Bavoil and Kevin Myers, Order Independent Transparency with Dual Depth Peeling, NVIDIA 2008",
     texts: &[("dual-peeling", Text::Listing(DUAL_DEPTH_PEELING, &[]))],
     resources: &[&stage::RESOURCES, &RESOURCES],
+    claims: &[],
+    errata: &[],
 };
 
 /// The whole algorithm. Before it runs, `num_passes`, `occlusion_ratio` and `window_area` are set.

@@ -4,7 +4,9 @@
 //! runs it on a real one, as "Shadow Mapping as Depth Test" proposes. The paper describes compositing in a sentence
 //! ("Putting It All Together"), which is [`COMPOSITE`] here.
 
+mod claims;
 pub(super) mod composite;
+mod errata;
 mod invariance;
 pub(super) mod listing_1;
 mod listing_2;
@@ -40,4 +42,6 @@ pub const PAPER: Paper = Paper {
         ("composite", Text::Listing(COMPOSITE, &[ALPHA])),
     ],
     resources: &[&stage::RESOURCES, &vtk::PEELING, &COMPOSITING],
+    claims: claims::CLAIMS,
+    errata: errata::ERRATA,
 };

@@ -6,7 +6,9 @@
 //! lists. The calls that the CPU makes to OpenGL stand here as listings. ppDP runs inside of a shader,
 //! `glsl/a_buffer/pp_dp.glsl`, whose lines are the pseudocode's.
 
+mod claims;
 pub mod components;
+mod errata;
 pub mod fused;
 
 use super::paper::Paper;
@@ -52,6 +54,8 @@ pub const PAPER: Paper = Paper {
         ),
     ],
     resources: &[&stage::RESOURCES, &stage::COUNTING, &RESOURCES],
+    claims: claims::CLAIMS,
+    errata: errata::ERRATA,
 };
 
 /// The depth complexity image: "all geometries are rendered into an integer image; the pixels of this image act as atomic

@@ -17,6 +17,8 @@ pub const PAPER: Paper = Paper {
     citation: "Morgan McGuire and Louis Bavoil, Weighted Blended Order-Independent Transparency, JCGT 2013",
     texts: &[("weighted-blended", Text::Listing(WEIGHTED_BLENDED, &[]))],
     resources: &[&stage::RESOURCES, &RESOURCES],
+    claims: &[],
+    errata: &[],
 };
 
 /// The whole algorithm.

@@ -3,6 +3,10 @@
 //! Each paper's file has its [`Paper`]; [`stage`] has what their methods share.
 
 #[macro_use]
+mod claim;
+#[macro_use]
+mod erratum;
+#[macro_use]
 mod index;
 
 macro_rules! declare {
@@ -16,5 +20,7 @@ every_paper!(declare);
 mod paper;
 pub mod stage;
 
+pub use claim::{Claim, Figure, Verdict};
+pub use erratum::{Erratum, Fault};
 pub use index::{papers, texts};
 pub use paper::Paper;

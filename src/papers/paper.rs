@@ -1,8 +1,10 @@
 //! The data of a paper.
 
+use super::claim::Claim;
+use super::erratum::Erratum;
 use crate::steps::{Resources, Text};
 
-/// A paper and its texts.
+/// A paper: its texts, what it claims, and what is wrong in its print.
 #[derive(Clone, Copy, Debug)]
 pub struct Paper {
     /// The name on the command line.
@@ -13,4 +15,8 @@ pub struct Paper {
     pub texts: &'static [(&'static str, Text)],
     /// The resources that its listings take for granted.
     pub resources: &'static [&'static Resources],
+    /// What it claims, in its order.
+    pub claims: &'static [Claim],
+    /// What is wrong or missing in its print, in its order.
+    pub errata: &'static [Erratum],
 }

@@ -20,6 +20,8 @@ pub const PAPER: Paper = Paper {
         ("eight-nodes", Text::Listing(EIGHT_NODES, &[])),
     ],
     resources: &[&stage::RESOURCES, &RESOURCES_OF_EIGHT],
+    claims: &[],
+    errata: &[],
 };
 
 /// The whole algorithm, with four nodes for each pixel.

@@ -20,6 +20,8 @@ pub const PAPER: Paper = Paper {
     citation: "Andreas Vasilakis and Ioannis Fudos, Depth-Fighting Aware Methods for Multifragment Rendering, TVCG 2013",
     texts: &[("coplanar-peeling", Text::Listing(COPLANAR_PEELING, &[]))],
     resources: &[&stage::RESOURCES, &RESOURCES],
+    claims: &[],
+    errata: &[],
 };
 
 /// Listing 1 with every fragment of each depth. Before it runs, `num_passes` is set.

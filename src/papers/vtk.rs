@@ -4,6 +4,8 @@
 //! Each peel has an occlusion query. There are two ways to stop, and the two ways to composite that the page compares.
 //! The loop itself is Everitt's Listing 1, amended.
 
+mod claims;
+mod errata;
 mod requirements;
 
 pub use requirements::{ALPHA_BITS, REQUIRED_EXTENSIONS, missing_extensions};
@@ -31,6 +33,8 @@ pub const PAPER: Paper = Paper {
         ("on-the-fly", Text::Listing(ON_THE_FLY, &[])),
     ],
     resources: &[&stage::RESOURCES, &stage::ACCUMULATING, &PEELING],
+    claims: claims::CLAIMS,
+    errata: errata::ERRATA,
 };
 
 /// Every layer is kept, then composited back to front ("Implementation notes").

@@ -49,7 +49,7 @@ fn bound(options: &ABufferOptions) -> f64 {
 }
 
 #[test]
-fn l04_every_manager_and_fill_gives_the_oracle_s_image() {
+pub(crate) fn l04_every_manager_and_fill_gives_the_oracle_s_image() {
     let context = Context::headless().unwrap();
     let combinations = combinations();
     assert_eq!(combinations.len(), 96);
@@ -100,7 +100,7 @@ fn a_wrong_image_would_be_noticed() {
 
 /// Around every segment's limit and far beyond, all pixels alike and one deep pixel among shallow ones.
 #[test]
-fn l21_every_complexity_comes_out_exact_by_peeling() {
+pub(crate) fn l21_every_complexity_comes_out_exact_by_peeling() {
     let context = Context::headless().unwrap();
     let mut renderer = Renderer::new(&context, 4, 1).unwrap();
     for complexity in [
@@ -163,7 +163,7 @@ fn a_static_array_of_256_takes_256_fragments_and_no_more() {
 
 /// llvmpipe ends a shader's loops after 65535 iterations; ppDP with an array of 8 would take 250 000.
 #[test]
-fn two_thousand_fragments_are_not_too_many() {
+pub(crate) fn two_thousand_fragments_are_not_too_many() {
     let context = Context::headless().unwrap();
     let stack = one_deep(2000);
     let options = ABufferOptions {
@@ -232,7 +232,7 @@ fn shuffled_triangles_give_the_same_image_bit_for_bit() {
 }
 
 #[test]
-fn the_counts_equal_the_occlusion_query_s_however_they_are_counted() {
+pub(crate) fn the_counts_equal_the_occlusion_query_s_however_they_are_counted() {
     let context = Context::headless().unwrap();
     for (scene, size) in [
         (soup_scene(1), [160, 120]),

@@ -139,7 +139,7 @@ fn comes_in_order(context: &Context, fill: Fill) -> bool {
 }
 
 #[test]
-fn l09_a_full_array_keeps_what_each_manager_s_list_begins_with() {
+pub(crate) fn l09_a_full_array_keeps_what_each_manager_s_list_begins_with() {
     let context = Context::headless().unwrap();
     let mut renderer = Renderer::new(&context, 1, 1).unwrap();
     for (name, levels) in orders() {
@@ -221,7 +221,7 @@ fn of_the_nearest(stack: &Stack, n: u32) -> (Stack, u64) {
 
 /// Random stacks of up to 12 fragments a pixel, with ties and alphas of 0 and 1; arrays of 1 and 8.
 #[test]
-fn l09_keeping_the_nearest_gives_the_oracle_s_image_of_the_nearest_n() {
+pub(crate) fn l09_keeping_the_nearest_gives_the_oracle_s_image_of_the_nearest_n() {
     let context = Context::headless().unwrap();
     let renderer = RefCell::new(Renderer::new(&context, 3, 2).unwrap());
     let mut combinations = every_static(8, &[false, true]);
@@ -280,7 +280,7 @@ fn the_nearest_are_kept_of_a_thousand_fragments_too() {
 /// As many fragments are lost whatever is kept, but not as much of the image: of 24 panes, white ones behind black ones, the
 /// nearest 8 leave 0.6^8 = 0.017 of what is behind them.
 #[test]
-fn what_is_kept_decides_how_wrong_the_image_is() {
+pub(crate) fn what_is_kept_decides_how_wrong_the_image_is() {
     let context = Context::headless().unwrap();
     let mut renderer = Renderer::new(&context, 1, 1).unwrap();
     let front_to_back: Vec<Piece> = (0..24)

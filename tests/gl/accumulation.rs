@@ -7,7 +7,7 @@ use onionskin::{Comparison, Context, Format, Frame, Method, Renderer, Scene};
 const D32F: Format = Format::Depth32FStencil8;
 
 #[test]
-fn e12_the_accumulator_s_error_grows_with_depth_complexity_and_with_its_step() {
+pub(crate) fn e12_the_accumulator_s_error_grows_with_depth_complexity_and_with_its_step() {
     // n quads of one opacity, front to back. Each layer rounds to half a step at most: of 2^-8 in bytes; of 2^-11, for
     // numbers from 1/2 up, in 16-bit floats; of 2^-24 in 32-bit ones.
     let context = Context::headless().unwrap();
@@ -47,7 +47,7 @@ fn e12_the_accumulator_s_error_grows_with_depth_complexity_and_with_its_step() {
 }
 
 #[test]
-fn e13_three_layers_in_numbers() {
+pub(crate) fn e13_three_layers_in_numbers() {
     // rms error after k layers, in channels of 0 to 1. 'Good enough' here: under 1/255, what a byte can tell apart, or
     // not.
     let context = Context::headless().unwrap();

@@ -66,7 +66,7 @@ fn frames<const N: usize>(numbers: [u32; N]) -> [Frame; N] {
 
 /// What the lists hold is what blending counts; and L12 bounds what ppDP makes of it.
 #[test]
-fn l20_what_a_frame_costs_follows_from_its_histogram() {
+pub(crate) fn l20_what_a_frame_costs_follows_from_its_histogram() {
     for frame in frames([0, 70, 120, 199, 200, 290, 300, 399]) {
         assert_eq!(frame.fragments, frame.complexity.fragments());
         let subpasses = |room: u32| -> u64 {
@@ -87,7 +87,7 @@ fn l20_what_a_frame_costs_follows_from_its_histogram() {
 }
 
 #[test]
-fn l20_a_dolly_in_raises_coverage_and_cost_and_a_dolly_out_lowers_them() {
+pub(crate) fn l20_a_dolly_in_raises_coverage_and_cost_and_a_dolly_out_lowers_them() {
     for [far, nearer, near] in [[200, 230, 290], [399, 360, 310]].map(frames) {
         let covered = [&far, &nearer, &near].map(|frame| frame.complexity.covered());
         assert!(covered.is_sorted(), "{covered:?}");
@@ -100,7 +100,7 @@ fn l20_a_dolly_in_raises_coverage_and_cost_and_a_dolly_out_lowers_them() {
 
 /// The paper: geometry that goes takes pixels of high complexity with it, volumes that go those of low complexity.
 #[test]
-fn l20_a_change_of_composition_shows_at_once_and_where_it_should() {
+pub(crate) fn l20_a_change_of_composition_shows_at_once_and_where_it_should() {
     let [before, with, without] = frames([98, 99, 100]);
     // The camera's step alone, without any change, is the control.
     let changed = |a: &Frame, b: &Frame| a.records_read.abs_diff(b.records_read);

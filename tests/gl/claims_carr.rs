@@ -119,7 +119,7 @@ fn figure_1(count: u32) -> Scene {
 }
 
 #[test]
-fn c01_layer_peeling_takes_as_many_iterations_as_the_deepest_pixel_has_layers() {
+pub(crate) fn c01_layer_peeling_takes_as_many_iterations_as_the_deepest_pixel_has_layers() {
     let context = Context::headless().unwrap();
     let [a, b] = [10, 20].map(|count| {
         let scene = figure_1(count);
@@ -132,7 +132,7 @@ fn c01_layer_peeling_takes_as_many_iterations_as_the_deepest_pixel_has_layers() 
 }
 
 #[test]
-fn c03_figure_1_takes_3_iterations_instead_of_257() {
+pub(crate) fn c03_figure_1_takes_3_iterations_instead_of_257() {
     let context = Context::headless().unwrap();
     let scene = figure_1(256);
     let hybrid = render(&context, &scene, &HYBRID).stats;
@@ -172,7 +172,7 @@ fn c04_iterations_grow_with_the_slices_for_layer_peeling_only() {
 }
 
 #[test]
-fn c20_geometry_passes_are_6_5_and_2_an_iteration() {
+pub(crate) fn c20_geometry_passes_are_6_5_and_2_an_iteration() {
     let context = Context::headless().unwrap();
     let scene = example("knots", [80, 60]);
     for (method, passes, last) in [
@@ -192,7 +192,7 @@ fn c20_geometry_passes_are_6_5_and_2_an_iteration() {
 }
 
 #[test]
-fn c21_coherent_peeling_takes_several_times_fewer_iterations_on_sorted_models() {
+pub(crate) fn c21_coherent_peeling_takes_several_times_fewer_iterations_on_sorted_models() {
     let context = Context::headless().unwrap();
     println!("scene      layer  coherent");
     for (name, size) in [
@@ -219,7 +219,7 @@ fn c21_coherent_peeling_takes_several_times_fewer_iterations_on_sorted_models() 
 }
 
 #[test]
-fn c23_bucket_sort_makes_a_model_sorted_enough() {
+pub(crate) fn c23_bucket_sort_makes_a_model_sorted_enough() {
     let context = Context::headless().unwrap();
     let mut scene = example("knots", [160, 120]);
     for mesh in &mut scene.meshes {
@@ -245,7 +245,7 @@ fn c23_bucket_sort_makes_a_model_sorted_enough() {
 }
 
 #[test]
-fn c22_opaque_surfaces_bound_every_method() {
+pub(crate) fn c22_opaque_surfaces_bound_every_method() {
     let context = Context::headless().unwrap();
     let mut scene = example("knots", [120, 90]);
     scene.meshes[0].opaque = true;

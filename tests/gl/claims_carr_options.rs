@@ -12,7 +12,7 @@ use onionskin::options::{BufferAccess, CoherentOptions, IdealOptions, TriangleSo
 use onionskin::{Context, Method, Scene, steps};
 
 #[test]
-fn c19_the_ideal_gpu_takes_two_geometry_passes_an_iteration() {
+pub(crate) fn c19_the_ideal_gpu_takes_two_geometry_passes_an_iteration() {
     let context = Context::headless().unwrap();
     if !context.driver().has("GL_EXT_shader_framebuffer_fetch") {
         println!("skipped: no GL_EXT_shader_framebuffer_fetch");
@@ -28,7 +28,7 @@ fn c19_the_ideal_gpu_takes_two_geometry_passes_an_iteration() {
 }
 
 #[test]
-fn c19_the_ideal_gpu_by_images_gives_the_same_image() {
+pub(crate) fn c19_the_ideal_gpu_by_images_gives_the_same_image() {
     let context = Context::headless().unwrap();
     let driver = context.driver();
     // Without an interlock nothing promises the order. llvmpipe, which draws each tile by one thread, keeps it.
@@ -140,7 +140,7 @@ fn everything_as_printed_gives_another_image() {
 }
 
 #[test]
-fn x8_what_never_ends_is_given_up_and_says_so() {
+pub(crate) fn x8_what_never_ends_is_given_up_and_says_so() {
     const AS_PRINTED: Amendment = Amendment {
         key: "X8 undone",
         kind: onionskin::low_level::steps::Kind::Correction,
@@ -184,7 +184,7 @@ fn x8_what_never_ends_is_given_up_and_says_so() {
 }
 
 #[test]
-fn x22_as_printed_the_ideal_gpu_composites_layers_again() {
+pub(crate) fn x22_as_printed_the_ideal_gpu_composites_layers_again() {
     let context = Context::headless().unwrap();
     if !context.driver().has("GL_EXT_shader_framebuffer_fetch") {
         println!("skipped: no GL_EXT_shader_framebuffer_fetch");

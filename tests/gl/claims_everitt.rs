@@ -15,7 +15,7 @@ use onionskin::options::DepthPeelingOptions;
 use onionskin::{Comparison, Context, Layer, Method, Scene};
 
 #[test]
-fn e01_blending_in_the_order_of_submission_is_wrong_and_peeling_is_right() {
+pub(crate) fn e01_blending_in_the_order_of_submission_is_wrong_and_peeling_is_right() {
     let context = Context::headless().unwrap();
     for name in ["teapot", "knots"] {
         let scene = example(name);
@@ -36,7 +36,7 @@ fn e01_blending_in_the_order_of_submission_is_wrong_and_peeling_is_right() {
 }
 
 #[test]
-fn e01_blending_is_right_where_the_order_happens_to_be() {
+pub(crate) fn e01_blending_is_right_where_the_order_happens_to_be() {
     // So 'wrong' above is due to the order, and to nothing else.
     let context = Context::headless().unwrap();
     let error = |order| {
@@ -57,7 +57,7 @@ fn e01_blending_is_right_where_the_order_happens_to_be() {
 }
 
 #[test]
-fn e02_n_passes_give_the_n_nearest_layers() {
+pub(crate) fn e02_n_passes_give_the_n_nearest_layers() {
     let context = Context::headless().unwrap();
     for scene in [soup_scene(11), example("teapot"), example("knots")] {
         let lists = Lists::of(&context, &scene).distinct();
@@ -75,7 +75,7 @@ fn e02_n_passes_give_the_n_nearest_layers() {
 }
 
 #[test]
-fn e02_all_passes_give_all_layers() {
+pub(crate) fn e02_all_passes_give_all_layers() {
     let context = Context::headless().unwrap();
     let scene = soup_scene(12);
     let lists = Lists::of(&context, &scene).distinct();
@@ -99,7 +99,7 @@ fn e02_two_layers_exchanged_would_be_noticed() {
 }
 
 #[test]
-fn e02_a_depth_off_by_its_last_bit_would_be_noticed() {
+pub(crate) fn e02_a_depth_off_by_its_last_bit_would_be_noticed() {
     let context = Context::headless().unwrap();
     let scene = soup_scene(11);
     let lists = Lists::of(&context, &scene).distinct();
@@ -110,7 +110,7 @@ fn e02_a_depth_off_by_its_last_bit_would_be_noticed() {
 }
 
 #[test]
-fn e02_layers_of_known_stacks_are_their_lists() {
+pub(crate) fn e02_layers_of_known_stacks_are_their_lists() {
     // Nothing here comes from a capture: the lists are what the stack was made from.
     check_stacks(stack::stacks(7, false), 64, |context, stack| {
         let frame = peel(context, &stack.scene(), keeping(0));
@@ -133,7 +133,7 @@ fn e02_layers_of_known_stacks_are_their_lists() {
 }
 
 #[test]
-fn e10_samples_decrease_from_layer_to_layer() {
+pub(crate) fn e10_samples_decrease_from_layer_to_layer() {
     let context = Context::headless().unwrap();
     let frame = peel(&context, &example("teapot"), keeping(0));
     let samples: Vec<_> = frame.layers.iter().map(samples).collect();
@@ -146,7 +146,7 @@ fn e10_samples_decrease_from_layer_to_layer() {
 }
 
 #[test]
-fn e10_layer_0_shows_the_teapot_s_outside_before_the_plane() {
+pub(crate) fn e10_layer_0_shows_the_teapot_s_outside_before_the_plane() {
     let [layer, ..] = teapot_layers();
     println!("{layer:?}");
     assert!(layer.red > layer.green * 20, "{layer:?}");
@@ -154,7 +154,7 @@ fn e10_layer_0_shows_the_teapot_s_outside_before_the_plane() {
 }
 
 #[test]
-fn e10_layer_1_shows_the_teapot_s_inside() {
+pub(crate) fn e10_layer_1_shows_the_teapot_s_inside() {
     let [_, layer, ..] = teapot_layers();
     println!("{layer:?}");
     assert!(
@@ -164,7 +164,7 @@ fn e10_layer_1_shows_the_teapot_s_inside() {
 }
 
 #[test]
-fn e10_layer_2_has_the_shape_of_a_teapot_but_most_of_it_is_plane() {
+pub(crate) fn e10_layer_2_has_the_shape_of_a_teapot_but_most_of_it_is_plane() {
     let [zero, _, two, _] = teapot_layers();
     println!("{two:?}");
     assert!(two.blue * 2 > two.all(), "{two:?}");

@@ -13,7 +13,7 @@ use onionskin::options::{Compositing, DepthPeelingOptions};
 use onionskin::{Comparison, Context, Image, Layer, Method, Rgba};
 
 #[test]
-fn e12_the_layers_composited_back_to_front_are_the_image() {
+pub(crate) fn e12_the_layers_composited_back_to_front_are_the_image() {
     let context = Context::headless().unwrap();
     for scene in [soup_scene(8), example("teapot")] {
         let frame = peel(&context, &scene, keeping(0));
@@ -24,7 +24,7 @@ fn e12_the_layers_composited_back_to_front_are_the_image() {
 }
 
 #[test]
-fn e12_front_to_back_with_the_same_blending_function_is_another_image() {
+pub(crate) fn e12_front_to_back_with_the_same_blending_function_is_another_image() {
     let context = Context::headless().unwrap();
     let scene = soup_scene(8);
     let mut frame = peel(&context, &scene, keeping(0));
@@ -35,7 +35,7 @@ fn e12_front_to_back_with_the_same_blending_function_is_another_image() {
 }
 
 #[test]
-fn e12_the_printed_blend_function_leaves_an_opaque_image_translucent() {
+pub(crate) fn e12_the_printed_blend_function_leaves_an_opaque_image_translucent() {
     let context = Context::headless().unwrap();
     let alphas = [0.0, 0.25, 0.5, 0.75, 0.9, 1.0_f32];
     let stack = Stack {
@@ -71,7 +71,7 @@ fn e12_the_printed_blend_function_leaves_an_opaque_image_translucent() {
 }
 
 #[test]
-fn e12_as_printed_with_enough_passes_gives_the_right_colors() {
+pub(crate) fn e12_as_printed_with_enough_passes_gives_the_right_colors() {
     // 12 fragments and an opaque surface at most; everything is peeled, the opaque surface with the rest.
     check_stacks(stack::stacks(stack::LEVELS, true), 64, |context, stack| {
         let options = DepthPeelingOptions {
@@ -113,7 +113,7 @@ fn e12_as_printed_with_a_pass_too_few_gives_other_colors() {
 }
 
 #[test]
-fn e13_each_further_layer_brings_the_image_nearer_to_the_exact_one() {
+pub(crate) fn e13_each_further_layer_brings_the_image_nearer_to_the_exact_one() {
     let context = Context::headless().unwrap();
     let scene = example("teapot");
     let exact = render(&context, &scene, Method::Exact).image;
@@ -134,7 +134,7 @@ fn e13_each_further_layer_brings_the_image_nearer_to_the_exact_one() {
 }
 
 #[test]
-fn e13_three_layers_are_good_enough() {
+pub(crate) fn e13_three_layers_are_good_enough() {
     let context = Context::headless().unwrap();
     let scene = example("teapot");
     let exact = render(&context, &scene, Method::Exact).image;
@@ -149,7 +149,7 @@ fn e13_three_layers_are_good_enough() {
 }
 
 #[test]
-fn e13_what_the_layers_do_not_hold_is_counted_as_lost() {
+pub(crate) fn e13_what_the_layers_do_not_hold_is_counted_as_lost() {
     let context = Context::headless().unwrap();
     let scene = example("teapot");
     let lists = Lists::of(&context, &scene);

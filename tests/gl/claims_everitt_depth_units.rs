@@ -12,7 +12,7 @@ use onionskin::low_level::steps::{
 use onionskin::{Context, Format, Image, Scene};
 
 #[test]
-fn e04_a_shadow_lookup_passes_exactly_what_the_depth_comparison_passes() {
+pub(crate) fn e04_a_shadow_lookup_passes_exactly_what_the_depth_comparison_passes() {
     let context = Context::headless().unwrap();
     // Map: levels 10 to 30, one pixel of the cleared depth 1. Quads: before, at, and behind the map's surface.
     let map = [20, 20, 20, 10, 30].map(|level| vec![piece(level)]);
@@ -42,7 +42,7 @@ fn e04_a_shadow_lookup_passes_exactly_what_the_depth_comparison_passes() {
 }
 
 #[test]
-fn e04_the_comparison_is_of_every_bit_of_the_depth() {
+pub(crate) fn e04_the_comparison_is_of_every_bit_of_the_depth() {
     // A soup against its own nearest depths: most fragments are behind, and the nearest are on the razor's edge.
     let context = Context::headless().unwrap();
     let scene = soup_scene(5);
@@ -79,7 +79,7 @@ fn e04_the_comparison_is_of_every_bit_of_the_depth() {
 }
 
 #[test]
-fn e05_the_peeling_buffer_is_the_camera_s_own_depth_buffer() {
+pub(crate) fn e05_the_peeling_buffer_is_the_camera_s_own_depth_buffer() {
     let context = Context::headless().unwrap();
     for scene in [soup_scene(3), example("teapot")] {
         let lists = Lists::of(&context, &scene);
@@ -105,7 +105,7 @@ fn e05_the_peeling_buffer_is_the_camera_s_own_depth_buffer() {
 }
 
 #[test]
-fn e05_every_pixel_looks_up_its_own_texel_whatever_the_size() {
+pub(crate) fn e05_every_pixel_looks_up_its_own_texel_whatever_the_size() {
     let context = Context::headless().unwrap();
     // A lookup that hit a neighbour would peel too much or too little where depths change from pixel to pixel.
     for size in [[1021, 3], [3, 1021], [127, 61], [1, 1]] {

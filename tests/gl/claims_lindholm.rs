@@ -9,7 +9,7 @@ use crate::kit::a_buffer::*;
 use crate::kit::stack::row;
 
 #[test]
-fn l01_atomic_counters_give_the_depth_complexity_image_and_its_histogram() {
+pub(crate) fn l01_atomic_counters_give_the_depth_complexity_image_and_its_histogram() {
     let context = Context::headless().unwrap();
     let stack = row(&[0, 1, 3, 3, 8, 20]);
     let mut renderer = Renderer::new(&context, 6, 1).unwrap();
@@ -30,7 +30,7 @@ fn l01_atomic_counters_give_the_depth_complexity_image_and_its_histogram() {
 
 /// A ray enters a closed surface as often as it leaves it.
 #[test]
-fn l02_closed_geometry_makes_even_depth_complexities_dominate() {
+pub(crate) fn l02_closed_geometry_makes_even_depth_complexities_dominate() {
     let context = Context::headless().unwrap();
     let mut mesh = torus_knot(&TorusKnot::default()).unwrap();
     for vertex in &mut mesh.vertices {
@@ -54,7 +54,7 @@ fn l02_closed_geometry_makes_even_depth_complexities_dominate() {
 
 /// The paper's protein: 68% of the pixels at 8 or less, 6.6% over 17, maximum 46. The bundled molecule is another one.
 #[test]
-fn l03_most_pixels_of_the_molecule_lie_far_below_the_maximum() {
+pub(crate) fn l03_most_pixels_of_the_molecule_lie_far_below_the_maximum() {
     let context = Context::headless().unwrap();
     let scene = bundled("molecule.toml", [512, 384]);
     let mut renderer = Renderer::new(&context, 512, 384).unwrap();
@@ -80,7 +80,7 @@ fn l03_most_pixels_of_the_molecule_lie_far_below_the_maximum() {
 }
 
 #[test]
-fn l04_three_managers_give_the_same_image() {
+pub(crate) fn l04_three_managers_give_the_same_image() {
     let context = Context::headless().unwrap();
     let scene = bundled("soup.toml", [160, 120]);
     let mut renderer = Renderer::new(&context, 160, 120).unwrap();
@@ -96,7 +96,7 @@ fn l04_three_managers_give_the_same_image() {
 
 /// 768 x 5 + 1 numbers need three levels; a scan that was wrong anywhere would give two pixels the same records.
 #[test]
-fn l05_base_offsets_keep_every_pixel_s_list_to_itself() {
+pub(crate) fn l05_base_offsets_keep_every_pixel_s_list_to_itself() {
     let context = Context::headless().unwrap();
     for size in [[1, 1], [64, 1], [65, 1], [63, 65], [257, 129]] {
         let mut scene = bundled("soup.toml", [160, 120]);
@@ -127,7 +127,7 @@ fn l05_base_offsets_keep_every_pixel_s_list_to_itself() {
 
 /// Taken from a pool by atomics, as the paper has it; in order, without atomics, behind DFB's base offsets.
 #[test]
-fn l06_linked_lists_take_a_node_and_a_link_for_each_fragment() {
+pub(crate) fn l06_linked_lists_take_a_node_and_a_link_for_each_fragment() {
     let context = Context::headless().unwrap();
     let scene = bundled("soup.toml", [160, 120]);
     let mut renderer = Renderer::new(&context, 160, 120).unwrap();
@@ -153,7 +153,7 @@ fn l06_linked_lists_take_a_node_and_a_link_for_each_fragment() {
 /// z f32, id i32, colour 4 x f16: the bytes follow from what is allocated, the bits of the id from how ties come out (the
 /// stacks with ties of `gl/a_buffer.rs`).
 #[test]
-fn l07_a_record_has_16_bytes() {
+pub(crate) fn l07_a_record_has_16_bytes() {
     assert_eq!(
         ABufferOptions {
             manager: Manager::Ffb,
@@ -177,7 +177,7 @@ fn l07_a_record_has_16_bytes() {
 /// "Approximately 12.6 MiB per depth layer at 1024 x 768": 1024 x 768 x 16 bytes are 12.58 MB, or 12.0 MiB. The unit is
 /// wrong, the number of bytes is right.
 #[test]
-fn l08_a_layer_of_a_fixed_buffer_takes_12_6_megabytes_which_are_12_mebibytes() {
+pub(crate) fn l08_a_layer_of_a_fixed_buffer_takes_12_6_megabytes_which_are_12_mebibytes() {
     let context = Context::headless().unwrap();
     let mut scene = sheets(3, SubmissionOrder::BackToFront);
     scene.size = [1024, 768];

@@ -11,7 +11,7 @@ use crate::kit::pp_dp::{Rule, peel};
 use crate::kit::stack::{Stack, row, scattered};
 
 #[test]
-fn l09_a_static_array_loses_everything_past_n_and_says_so() {
+pub(crate) fn l09_a_static_array_loses_everything_past_n_and_says_so() {
     let context = Context::headless().unwrap();
     let counts = [3, 8, 9, 20, 64, 100];
     let stack = row(&counts);
@@ -39,7 +39,7 @@ fn l09_a_static_array_loses_everything_past_n_and_says_so() {
 }
 
 #[test]
-fn l10_the_fill_counts_and_no_geometry_pass_is_added() {
+pub(crate) fn l10_the_fill_counts_and_no_geometry_pass_is_added() {
     let context = Context::headless().unwrap();
     let scene = bundled("soup.toml", [160, 120]);
     let mut renderer = Renderer::new(&context, 160, 120).unwrap();
@@ -70,7 +70,7 @@ fn l10_the_fill_counts_and_no_geometry_pass_is_added() {
 
 /// Each pixel's array is the smallest of 8, 16, 32 and 64 that holds its fragments.
 #[test]
-fn l10_every_pixel_is_resolved_by_the_smallest_segment_that_holds_it() {
+pub(crate) fn l10_every_pixel_is_resolved_by_the_smallest_segment_that_holds_it() {
     let context = Context::headless().unwrap();
     for complexity in [1, 7, 8, 9, 16, 17, 32, 33, 64] {
         let mut renderer = Renderer::new(&context, 2, 1).unwrap();
@@ -89,7 +89,7 @@ fn l10_every_pixel_is_resolved_by_the_smallest_segment_that_holds_it() {
 
 /// 255 and more in one segment, none lost, by the amended counter and ppDP.
 #[test]
-fn l11_complexities_of_255_and_more_share_the_last_segment_and_none_is_lost() {
+pub(crate) fn l11_complexities_of_255_and_more_share_the_last_segment_and_none_is_lost() {
     let context = Context::headless().unwrap();
     let stack = row(&[254, 255, 256, 257, 300, 600]);
     let mut renderer = Renderer::new(&context, 6, 1).unwrap();
@@ -106,7 +106,7 @@ fn l11_complexities_of_255_and_more_share_the_last_segment_and_none_is_lost() {
 
 /// Erratum L5: `depth complexity(p) <= i` holds in no segment.
 #[test]
-fn l11_as_printed_the_stencil_loses_what_lies_past_the_last_segment() {
+pub(crate) fn l11_as_printed_the_stencil_loses_what_lies_past_the_last_segment() {
     let context = Context::headless().unwrap();
     let stack = row(&[64, 65, 100, 300]);
     let mut renderer = Renderer::new(&context, 4, 1).unwrap();
@@ -124,7 +124,7 @@ fn l11_as_printed_the_stencil_loses_what_lies_past_the_last_segment() {
 
 /// Errata L6 and L7 on the driver's own stencil buffer: INVERT puts a complexity of 127 to 128, which is another segment's.
 #[test]
-fn l07_as_printed_pixels_are_resolved_twice() {
+pub(crate) fn l07_as_printed_pixels_are_resolved_twice() {
     let context = Context::headless().unwrap();
     let counts = [100, 126, 127, 128];
     let stack = row(&counts);
@@ -152,7 +152,7 @@ fn l07_as_printed_pixels_are_resolved_twice() {
 
 /// The bound, and that it is not reached: the pseudocode resolves n, not n - 1 (erratum L2).
 #[test]
-fn l12_a_pixel_takes_at_most_d_over_n_minus_1_subpasses() {
+pub(crate) fn l12_a_pixel_takes_at_most_d_over_n_minus_1_subpasses() {
     let context = Context::headless().unwrap();
     let mut renderer = Renderer::new(&context, 1, 1).unwrap();
     for complexity in [1, 7, 8, 9, 24, 64, 65, 200] {
@@ -180,7 +180,7 @@ fn l12_a_pixel_takes_at_most_d_over_n_minus_1_subpasses() {
 /// Errata L1 and L4: what the printed rule loses, fragment by fragment, is what a twin in Rust says it must; and the
 /// amended rule loses none.
 #[test]
-fn l13_as_printed_ties_are_lost_where_a_buffer_ends_and_amended_none() {
+pub(crate) fn l13_as_printed_ties_are_lost_where_a_buffer_ends_and_amended_none() {
     let context = Context::headless().unwrap();
     let mut renderer = Renderer::new(&context, 4, 1).unwrap();
     let mut lost_in_all = 0;
@@ -225,7 +225,7 @@ fn l13_as_printed_ties_are_lost_where_a_buffer_ends_and_amended_none() {
 }
 
 #[test]
-fn l14_pp_ao_and_pp_dp_together_give_the_exact_image_too() {
+pub(crate) fn l14_pp_ao_and_pp_dp_together_give_the_exact_image_too() {
     let context = Context::headless().unwrap();
     let scene = bundled("slices.toml", [160, 120]);
     let mut renderer = Renderer::new(&context, 160, 120).unwrap();
@@ -248,7 +248,7 @@ fn l14_pp_ao_and_pp_dp_together_give_the_exact_image_too() {
 
 /// What a ray has not seen when it ends weighs less than the threshold, and no colour is over 1.
 #[test]
-fn l15_early_ray_termination_errs_by_less_than_its_threshold_and_saves_work() {
+pub(crate) fn l15_early_ray_termination_errs_by_less_than_its_threshold_and_saves_work() {
     let context = Context::headless().unwrap();
     let mut scene = sheets(64, SubmissionOrder::Shuffled);
     scene.size = [64, 48];
@@ -283,7 +283,7 @@ fn l15_early_ray_termination_errs_by_less_than_its_threshold_and_saves_work() {
 /// Figure 7: 64 screen-filling quads, alpha 0.05, random order in depth: ppAO reserves what the static array does, ppDP
 /// reads the lists eight times and needs an eighth of the array.
 #[test]
-fn l18_sixty_four_quads_cost_what_figure_7_says_they_must() {
+pub(crate) fn l18_sixty_four_quads_cost_what_figure_7_says_they_must() {
     let context = Context::headless().unwrap();
     let mut scene = sheets(64, SubmissionOrder::Shuffled);
     scene.size = [64, 48];

@@ -12,7 +12,7 @@ use onionskin::options::{Compositing, DepthPeelingOptions};
 use onionskin::{Context, Method, Renderer, steps};
 
 #[test]
-fn v01_the_loop_ends_after_the_maximum_number_of_peels() {
+pub(crate) fn v01_the_loop_ends_after_the_maximum_number_of_peels() {
     let context = Context::headless().unwrap();
     let stack = staircase();
     for compositing in BOTH {
@@ -28,7 +28,7 @@ fn v01_the_loop_ends_after_the_maximum_number_of_peels() {
 }
 
 #[test]
-fn v01_the_image_of_n_peels_is_that_of_the_n_nearest_layers() {
+pub(crate) fn v01_the_image_of_n_peels_is_that_of_the_n_nearest_layers() {
     let context = Context::headless().unwrap();
     let stack = staircase();
     for compositing in BOTH {
@@ -42,7 +42,7 @@ fn v01_the_image_of_n_peels_is_that_of_the_n_nearest_layers() {
 }
 
 #[test]
-fn v01_what_the_limit_leaves_out_is_counted() {
+pub(crate) fn v01_what_the_limit_leaves_out_is_counted() {
     let context = Context::headless().unwrap();
     for compositing in BOTH {
         for (peels, lost) in [(1, 7), (2, 3), (3, 1), (4, 0)] {
@@ -53,7 +53,7 @@ fn v01_what_the_limit_leaves_out_is_counted() {
 }
 
 #[test]
-fn v01_a_maximum_of_0_is_no_limit() {
+pub(crate) fn v01_a_maximum_of_0_is_no_limit() {
     let context = Context::headless().unwrap();
     assert_eq!(DepthPeelingOptions::default().maximum_number_of_peels, 0);
     for compositing in BOTH {
@@ -112,7 +112,7 @@ const RATIOS: [(f64, u32, Reason); 7] = [
 ];
 
 #[test]
-fn v02_the_loop_stops_when_a_peel_changed_fewer_pixels_than_the_ratio() {
+pub(crate) fn v02_the_loop_stops_when_a_peel_changed_fewer_pixels_than_the_ratio() {
     let context = Context::headless().unwrap();
     for compositing in BOTH {
         for (ratio, layers, reason) in RATIOS {
@@ -127,7 +127,7 @@ fn v02_the_loop_stops_when_a_peel_changed_fewer_pixels_than_the_ratio() {
 }
 
 #[test]
-fn v02_without_the_amendment_the_ratio_would_be_ignored() {
+pub(crate) fn v02_without_the_amendment_the_ratio_would_be_ignored() {
     // What the amendment puts in, less its condition.
     const NO_RATIO: &[Amendment] = &[changed(
         vtk::KEEP_DEPTH.amended,
@@ -165,7 +165,7 @@ fn v02_the_last_peel_is_composited() {
 }
 
 #[test]
-fn v02_what_the_ratio_leaves_out_is_counted() {
+pub(crate) fn v02_what_the_ratio_leaves_out_is_counted() {
     let context = Context::headless().unwrap();
     for compositing in BOTH {
         for (ratio, lost) in [(0.0, 0), (0.2, 0), (0.5, 1), (0.75, 3), (1.0, 3)] {
@@ -176,7 +176,7 @@ fn v02_what_the_ratio_leaves_out_is_counted() {
 }
 
 #[test]
-fn v02_a_ratio_of_0_is_exact_and_the_default() {
+pub(crate) fn v02_a_ratio_of_0_is_exact_and_the_default() {
     let context = Context::headless().unwrap();
     assert_eq!(DepthPeelingOptions::default().occlusion_ratio, 0.0);
     for compositing in BOTH {
@@ -186,7 +186,7 @@ fn v02_a_ratio_of_0_is_exact_and_the_default() {
 }
 
 #[test]
-fn v02_a_larger_ratio_needs_no_more_peels() {
+pub(crate) fn v02_a_larger_ratio_needs_no_more_peels() {
     // "A ratio of 0.2 will render faster than a ratio of 0.1."
     let context = Context::headless().unwrap();
     let scene = soup_scene();
@@ -202,7 +202,7 @@ fn v02_a_larger_ratio_needs_no_more_peels() {
 }
 
 #[test]
-fn v02_pixels_are_counted_and_not_the_fragments_that_changed_them() {
+pub(crate) fn v02_pixels_are_counted_and_not_the_fragments_that_changed_them() {
     // One pixel of six has its ten fragments submitted back to front, so that each lowers the depth in the first peel:
     // ten samples, one pixel.
     let context = Context::headless().unwrap();

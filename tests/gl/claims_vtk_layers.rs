@@ -11,7 +11,7 @@ use onionskin::options::{Compositing, DepthPeelingOptions};
 use onionskin::{Comparison, Context, Method, Renderer, Scene, steps};
 
 #[test]
-fn v03_opaque_geometry_culls_what_lies_behind_it_and_lowers_the_number_of_layers() {
+pub(crate) fn v03_opaque_geometry_culls_what_lies_behind_it_and_lowers_the_number_of_layers() {
     let context = Context::headless().unwrap();
     for compositing in BOTH {
         // Layers at 100, 200, 300 and 400.
@@ -31,7 +31,7 @@ fn v03_opaque_geometry_culls_what_lies_behind_it_and_lowers_the_number_of_layers
 }
 
 #[test]
-fn v03_what_is_culled_makes_no_pass() {
+pub(crate) fn v03_what_is_culled_makes_no_pass() {
     let context = Context::headless().unwrap();
     for compositing in BOTH {
         let passes = |opaque| {
@@ -51,7 +51,7 @@ fn v03_what_is_culled_makes_no_pass() {
 }
 
 #[test]
-fn v03_without_the_amendment_the_number_of_layers_is_not_lowered() {
+pub(crate) fn v03_without_the_amendment_the_number_of_layers_is_not_lowered() {
     const NOT_CULLED: &[Amendment] = &[changed(
         vtk::CULL_BY_OPAQUE.amended,
         vtk::CULL_BY_OPAQUE.printed,
@@ -74,7 +74,7 @@ fn v03_without_the_amendment_the_number_of_layers_is_not_lowered() {
 }
 
 #[test]
-fn v04_the_empty_layer_ends_the_loop() {
+pub(crate) fn v04_the_empty_layer_ends_the_loop() {
     let context = Context::headless().unwrap();
     for compositing in BOTH {
         for layers in 0..=4 {
@@ -93,7 +93,7 @@ fn v04_the_empty_layer_ends_the_loop() {
 }
 
 #[test]
-fn v04_without_the_query_the_loop_would_not_end() {
+pub(crate) fn v04_without_the_query_the_loop_would_not_end() {
     const NO_QUERY: &[Amendment] = &[changed(
         vtk::QUERY.amended,
         steps! {
@@ -116,7 +116,7 @@ fn v04_without_the_query_the_loop_would_not_end() {
 }
 
 #[test]
-fn v05_a_frame_says_that_depth_peeling_was_used() {
+pub(crate) fn v05_a_frame_says_that_depth_peeling_was_used() {
     let context = Context::headless().unwrap();
     for compositing in BOTH {
         let stats = peel(&context, &staircase(), limited(0, compositing)).stats;
@@ -129,7 +129,7 @@ fn v05_a_frame_says_that_depth_peeling_was_used() {
 }
 
 #[test]
-fn v05_a_frame_without_anything_transparent_says_why_it_was_not() {
+pub(crate) fn v05_a_frame_without_anything_transparent_says_why_it_was_not() {
     let context = Context::headless().unwrap();
     let mut scene = Stack {
         opaque: Some(500),
@@ -148,7 +148,7 @@ fn v05_a_frame_without_anything_transparent_says_why_it_was_not() {
 }
 
 #[test]
-fn v05_a_frame_of_another_method_says_why_it_was_not() {
+pub(crate) fn v05_a_frame_of_another_method_says_why_it_was_not() {
     let context = Context::headless().unwrap();
     let mut renderer = Renderer::new(&context, 3, 2).unwrap();
     for method in [Method::Blend, Method::Painter, Method::Exact] {
@@ -162,7 +162,7 @@ fn v05_a_frame_of_another_method_says_why_it_was_not() {
 }
 
 #[test]
-fn v06_both_ways_of_compositing_give_the_same_image() {
+pub(crate) fn v06_both_ways_of_compositing_give_the_same_image() {
     let context = Context::headless().unwrap();
     let scenes = [soup_scene(), staircase().scene(), teapot_scene()];
     for scene in scenes {
@@ -178,7 +178,7 @@ fn v06_both_ways_of_compositing_give_the_same_image() {
 }
 
 #[test]
-fn v06_compositing_over_instead_of_under_would_be_noticed() {
+pub(crate) fn v06_compositing_over_instead_of_under_would_be_noticed() {
     // Everitt's blending function, but front to back.
     const OVER: &[Amendment] = &[changed(
         steps! { glBlendFuncSeparate(ONE_MINUS_DST_ALPHA, ONE, ONE_MINUS_DST_ALPHA, ONE); },
@@ -195,7 +195,7 @@ fn v06_compositing_over_instead_of_under_would_be_noticed() {
 }
 
 #[test]
-fn v06_kept_layers_take_memory_by_their_number() {
+pub(crate) fn v06_kept_layers_take_memory_by_their_number() {
     let context = Context::headless().unwrap();
     let bytes: Vec<_> = (1..=4)
         .map(|peels| {
@@ -216,7 +216,7 @@ fn v06_kept_layers_take_memory_by_their_number() {
 }
 
 #[test]
-fn v06_compositing_on_the_fly_takes_the_same_memory_for_any_number_of_layers() {
+pub(crate) fn v06_compositing_on_the_fly_takes_the_same_memory_for_any_number_of_layers() {
     let context = Context::headless().unwrap();
     let bytes: Vec<_> = (1..=4)
         .map(|peels| {

@@ -8,7 +8,7 @@ use onionskin::options::{
 use onionskin::{Context, Format, Method, Renderer, Scene};
 
 #[test]
-fn v07_fewer_than_8_alpha_bits_are_refused_with_what_to_choose() {
+pub(crate) fn v07_fewer_than_8_alpha_bits_are_refused_with_what_to_choose() {
     let context = Context::headless().unwrap();
     for method in peeling() {
         let error = render(&context, &method, Format::Rgb10A2).unwrap_err();
@@ -20,7 +20,7 @@ fn v07_fewer_than_8_alpha_bits_are_refused_with_what_to_choose() {
 }
 
 #[test]
-fn v07_8_alpha_bits_will_do_and_methods_without_layers_need_none() {
+pub(crate) fn v07_8_alpha_bits_will_do_and_methods_without_layers_need_none() {
     let context = Context::headless().unwrap();
     for method in peeling() {
         render(&context, &method, Format::Rgba8).unwrap();
@@ -29,7 +29,7 @@ fn v07_8_alpha_bits_will_do_and_methods_without_layers_need_none() {
 }
 
 #[test]
-fn v07_the_bits_are_those_that_opengl_counts() {
+pub(crate) fn v07_the_bits_are_those_that_opengl_counts() {
     let context = Context::headless().unwrap();
     for format in [
         Format::Rgba8,
@@ -42,7 +42,7 @@ fn v07_the_bits_are_those_that_opengl_counts() {
 }
 
 #[test]
-fn v09_this_driver_lacks_nothing() {
+pub(crate) fn v09_this_driver_lacks_nothing() {
     let context = Context::headless().unwrap();
     let driver = context.driver();
     let missing = missing_extensions(driver.version, |name| driver.has(name));
@@ -51,7 +51,7 @@ fn v09_this_driver_lacks_nothing() {
 }
 
 #[test]
-fn v01_0_peels_is_no_limit_in_every_method_as_vtk_documents_it() {
+pub(crate) fn v01_0_peels_is_no_limit_in_every_method_as_vtk_documents_it() {
     // V1: VTK's own dual pass peels nothing then.
     let context = Context::headless().unwrap();
     for method in peeling() {

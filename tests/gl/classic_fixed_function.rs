@@ -29,7 +29,7 @@ const MAPPED: Target = Target("mapped");
 const CASES: u32 = 220;
 
 #[test]
-fn e04_the_emulation_is_the_real_fixed_functions_pixel_for_pixel() {
+pub(crate) fn e04_the_emulation_is_the_real_fixed_functions_pixel_for_pixel() {
     let context = compatibility();
     let machine = std::cell::RefCell::new(GlMachine::new(&context, SIZE).unwrap());
     let seen = std::cell::RefCell::new(BTreeMap::<String, u32>::new());
@@ -144,7 +144,7 @@ fn each_changed_word_would_be_noticed() {
 }
 
 #[test]
-fn v08_a_rectangle_texture_gives_what_a_texture_of_2d_gives() {
+pub(crate) fn v08_a_rectangle_texture_gives_what_a_texture_of_2d_gives() {
     // sampler2DRectShadow against sampler2DShadow: the same texels by coordinates in texels instead of 0 to 1. Sides
     // are powers of two, so that scaling by them is exact.
     let context = compatibility();

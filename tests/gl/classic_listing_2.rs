@@ -17,13 +17,13 @@ use onionskin::{Camera, Comparison, Context, Error, Format, Frame, Method, Resul
 use crate::kit::lists::Lists;
 
 #[test]
-fn e08_listing_2_prints_as_the_paper_has_it() {
+pub(crate) fn e08_listing_2_prints_as_the_paper_has_it() {
     let transcript = include_str!("../print/everitt/listing-2.txt");
     assert_eq!(print::listing(&LISTING_2, &[]), transcript);
 }
 
 #[test]
-fn e08_the_dot_products_are_homogeneous_window_z_and_w() {
+pub(crate) fn e08_the_dot_products_are_homogeneous_window_z_and_w() {
     // R1 = zc/2 + wc/2 and R2 = wc, and their quotient is what a depth range from 0 to 1 makes of zc/wc.
     for (camera, seed) in [(camera(0.5, 50.0), 1), (camera(0.01, 100.0), 2)] {
         let (view, projection) = (camera.view(), camera.projection(4, 3));
@@ -41,7 +41,7 @@ fn e08_the_dot_products_are_homogeneous_window_z_and_w() {
 }
 
 #[test]
-fn e08_with_one_word_changed_it_is_something_else() {
+pub(crate) fn e08_with_one_word_changed_it_is_something_else() {
     let camera = camera(0.5, 50.0);
     let (view, projection) = (camera.view(), camera.projection(4, 3));
     let eye = view * points(3, 1)[0].extend(1.0);
@@ -70,7 +70,7 @@ fn e08_with_one_word_changed_it_is_something_else() {
 }
 
 #[test]
-fn e06_equations_1_to_4_are_one_number_in_exact_arithmetic() {
+pub(crate) fn e06_equations_1_to_4_are_one_number_in_exact_arithmetic() {
     // Two points of a segment in clip space, any place between them in window space.
     let camera = camera(0.5, 50.0);
     let state = set_up(camera.view(), camera.projection(4, 3));
@@ -91,7 +91,7 @@ fn e06_equations_1_to_4_are_one_number_in_exact_arithmetic() {
 }
 
 #[test]
-fn e06_equations_1_to_4_are_not_one_number_in_32_bits() {
+pub(crate) fn e06_equations_1_to_4_are_not_one_number_in_32_bits() {
     let camera = camera(0.5, 50.0);
     let state = set_up(camera.view(), camera.projection(4, 3));
     let mut differ = 0;
@@ -113,7 +113,7 @@ fn e06_equations_1_to_4_are_not_one_number_in_32_bits() {
 }
 
 #[test]
-fn e08_listing_2_runs_and_stores_window_z() {
+pub(crate) fn e08_listing_2_runs_and_stores_window_z() {
     let context = Context::headless().unwrap();
     let scene = soup_scene(21, [0.5, 50.0]);
     let [replaced, window_z] = [true, false].map(|replace| nearest(&context, &scene, replace));
@@ -136,7 +136,7 @@ fn e08_listing_2_runs_and_stores_window_z() {
 }
 
 #[test]
-fn e04_peeling_as_in_2001_with_depth_replace_equals_the_exact_image() {
+pub(crate) fn e04_peeling_as_in_2001_with_depth_replace_equals_the_exact_image() {
     let context = Context::headless().unwrap();
     for seed in 30..33 {
         let scene = soup_scene(seed, [1.0, 20.0]);
@@ -168,7 +168,7 @@ fn e04_peeling_as_in_2001_with_depth_replace_equals_the_exact_image() {
 }
 
 #[test]
-fn e06_peeling_as_in_2001_without_depth_replace_mis_peels() {
+pub(crate) fn e06_peeling_as_in_2001_without_depth_replace_mis_peels() {
     let context = Context::headless().unwrap();
     let scene = soup_scene(30, [1.0, 20.0]);
     let exact = render(&context, &scene, &Method::Exact);

@@ -6,7 +6,7 @@ use onionskin::{Context, Method, Renderer, Scene};
 use crate::kit::lists::Lists;
 
 #[test]
-fn e11_each_layer_has_the_frontmost_of_what_the_layers_before_have_left() {
+pub(crate) fn e11_each_layer_has_the_frontmost_of_what_the_layers_before_have_left() {
     let context = Context::headless().unwrap();
     for name in ["teapot", "knots"] {
         let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/scenes");

@@ -308,7 +308,7 @@ fn floor_and_panes() -> Scene {
 }
 
 #[test]
-fn by_1_over_w_every_method_that_can_keeps_apart_what_window_depth_confuses() {
+pub(crate) fn by_1_over_w_every_method_that_can_keeps_apart_what_window_depth_confuses() {
     let context = Context::headless().unwrap();
     let scene = floor_and_panes();
     let [width, height] = scene.size;

@@ -25,7 +25,7 @@ const D_SC_AT_S4: Listing = Listing {
 };
 
 #[test]
-fn c07_to_c10_figure_2_on_opengl() {
+pub(crate) fn c07_to_c10_figure_2_on_opengl() {
     let context = Context::headless().unwrap();
     // s0 < s4 < s3 < s5 < s6 < s10 < s9 < s7 < s2 < s1 < s8
     let order = [0, 4, 3, 5, 6, 10, 9, 7, 2, 1, 8];

@@ -46,7 +46,7 @@ fn the_scenes_have_the_sources_of_table_1() {
 /// The surfaces' histograms fall to a third. With the boxes of volumes, two fragments of each on every ray through it, to a
 /// half at least: where few surfaces stand in two boxes, as in `space`, the boxes are most of what there is.
 #[test]
-fn l03_most_pixels_lie_far_below_the_maximum() {
+pub(crate) fn l03_most_pixels_lie_far_below_the_maximum() {
     for (name, ..) in SCENES {
         let mut scene = load(name);
         for part in [2, 3] {
@@ -62,7 +62,7 @@ fn l03_most_pixels_lie_far_below_the_maximum() {
 }
 
 #[test]
-fn a_stack_that_is_as_deep_everywhere_does_not_fall() {
+pub(crate) fn a_stack_that_is_as_deep_everywhere_does_not_fall() {
     let stack = quads(&Quads {
         count: 12,
         alpha: 0.5,

@@ -41,7 +41,7 @@ fn refusal(context: &Context, scene: &Scene) -> String {
 }
 
 #[test]
-fn l16_fog_and_a_pane_follow_the_closed_form() {
+pub(crate) fn l16_fog_and_a_pane_follow_the_closed_form() {
     let context = Context::headless().unwrap();
     let mut worst = 0.0_f64;
     for (what, scene) in fogs_and_panes() {
@@ -77,7 +77,7 @@ fn fault(context: &Context, plan: &Plan, change: fn(&mut Scene)) -> Result<f64, 
 }
 
 #[test]
-fn l16_random_scenes_are_the_f64_caster_s() {
+pub(crate) fn l16_random_scenes_are_the_f64_caster_s() {
     let context = Context::headless().unwrap();
     let largest = Cell::new(0.0_f64);
     let ran = stack::runner(40).run(&plans(), |plan| {
@@ -129,7 +129,7 @@ fn a_volume_less_a_denser_one_or_another_step_would_be_noticed() {
 }
 
 #[test]
-fn l16_l17_every_combination_gives_one_image() {
+pub(crate) fn l16_l17_every_combination_gives_one_image() {
     let context = Context::headless().unwrap();
     for seed in [3, 6] {
         let scene = random_scene(seed);
@@ -169,7 +169,7 @@ fn l16_l17_every_combination_gives_one_image() {
 }
 
 #[test]
-fn l16_densities_of_overlapping_volumes_add() {
+pub(crate) fn l16_densities_of_overlapping_volumes_add() {
     let context = Context::headless().unwrap();
     for eye in [5.0, 0.75] {
         let mut scene = fog_and_pane(eye, -0.4, 0.4, 0.3);
@@ -276,7 +276,7 @@ fn a_full_array_and_an_early_end_are_counted() {
 /// Boxes are counted as the lists hold them, wherever opaque surfaces are: twice where a ray passes through one, once where
 /// the eye is inside.
 #[test]
-fn l01_the_complexity_image_counts_boxes() {
+pub(crate) fn l01_the_complexity_image_counts_boxes() {
     let context = Context::headless().unwrap();
     for (eye, alpha, pane, expected) in [
         (5.0, 0.4, 0.3, 3),

@@ -116,7 +116,7 @@ fn twice(peel: u32) -> (Scene, ABufferOptions) {
 /// Erratum L1. With a buffer of 1 the second volume's faces are lost, and it is not seen; with one of 2 only the face where
 /// it is left is, and it goes on to the far plane, 20 from the eye at 5.
 #[test]
-fn l13_a_tie_that_is_lost_is_a_volume_that_is_not_seen_or_does_not_end() {
+pub(crate) fn l13_a_tie_that_is_lost_is_a_volume_that_is_not_seen_or_does_not_end() {
     let context = Context::headless().unwrap();
     let both = SIGMA * 1.5;
     let right = [Fog(1.0, -0.4, both), Pane, Fog(-0.4, -1.0, both)];
@@ -136,7 +136,7 @@ fn l13_a_tie_that_is_lost_is_a_volume_that_is_not_seen_or_does_not_end() {
 /// Erratum L4. A face before the near plane lies at depth 0, to which it is clamped, and is skipped. So the ray is outside
 /// of the fog until it leaves it, and then inside.
 #[test]
-fn l13_a_face_before_the_near_plane_is_skipped_and_the_fog_is_inside_out() {
+pub(crate) fn l13_a_face_before_the_near_plane_is_skipped_and_the_fog_is_inside_out() {
     let context = Context::headless().unwrap();
     let scene = fog_and_pane(1.2, -0.4, 0.4, 0.3);
     let right = [Fog(0.7, -0.4, SIGMA), Pane, Fog(-0.4, -1.0, SIGMA)];
@@ -152,7 +152,7 @@ fn l13_a_face_before_the_near_plane_is_skipped_and_the_fog_is_inside_out() {
 
 /// Erratum L5. Past the last segment a pixel is not resolved: its volumes are not seen either.
 #[test]
-fn l11_past_the_last_segment_there_is_no_fog() {
+pub(crate) fn l11_past_the_last_segment_there_is_no_fog() {
     let context = Context::headless().unwrap();
     let mut scene = fog_and_pane(5.0, -0.4, 0.4, 0.3);
     let pane = scene.meshes[0].clone();
@@ -172,7 +172,7 @@ fn l11_past_the_last_segment_there_is_no_fog() {
 /// Errata L6 and L7. With a segment of 256, whose reference is clamped to 255, every pixel passes again: fog and pane are
 /// there twice.
 #[test]
-fn l07_with_a_segment_of_256_the_fog_is_seen_through_itself() {
+pub(crate) fn l07_with_a_segment_of_256_the_fog_is_seen_through_itself() {
     let context = Context::headless().unwrap();
     let scene = fog_and_pane(5.0, -0.4, 0.4, 0.3);
     let options = ABufferOptions {

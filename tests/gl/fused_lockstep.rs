@@ -50,7 +50,7 @@ fn whole_scenes() -> Vec<Scene> {
 }
 
 #[test]
-fn l16_l17_the_pseudocode_and_the_shaders_see_the_same_light() {
+pub(crate) fn l16_l17_the_pseudocode_and_the_shaders_see_the_same_light() {
     let context = Context::headless().unwrap();
     let mut worst = 0.0_f64;
     for scene in whole_scenes() {

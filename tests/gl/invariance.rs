@@ -38,7 +38,7 @@ const REPLACED: Experiment = Experiment {
 };
 
 #[test]
-fn e06_comparing_r_over_q_with_the_rasterisers_depth_mis_peels() {
+pub(crate) fn e06_comparing_r_over_q_with_the_rasterisers_depth_mis_peels() {
     let study = Study::new(100.0);
     let covered = study.covered();
     for comparator in [Comparator::Sampler, Comparator::Shader] {
@@ -57,7 +57,7 @@ fn e06_comparing_r_over_q_with_the_rasterisers_depth_mis_peels() {
 }
 
 #[test]
-fn e06_window_z_compared_in_the_shader_and_in_the_sampler_give_the_same_image() {
+pub(crate) fn e06_window_z_compared_in_the_shader_and_in_the_sampler_give_the_same_image() {
     let study = Study::new(100.0);
     let [sampler, shader] = [Comparator::Sampler, Comparator::Shader].map(|comparator| {
         study.run_experiment(
@@ -76,7 +76,7 @@ fn e06_window_z_compared_in_the_shader_and_in_the_sampler_give_the_same_image() 
 }
 
 #[test]
-fn e07_with_depth_replace_every_pixel_left_over_is_a_tie_or_beyond_the_far_plane() {
+pub(crate) fn e07_with_depth_replace_every_pixel_left_over_is_a_tie_or_beyond_the_far_plane() {
     let mut explained = [0; 2];
     for ratio in [10.0, 100.0, 1000.0, 10_000.0] {
         // Some triangles twice, and one so near to the far plane that few f32 lie between.
@@ -131,7 +131,7 @@ fn e07_with_depth_replace_every_pixel_left_over_is_a_tie_or_beyond_the_far_plane
 }
 
 #[test]
-fn e07_no_bias_is_needed_with_depth_replace_and_none_helps_without_harm() {
+pub(crate) fn e07_no_bias_is_needed_with_depth_replace_and_none_helps_without_harm() {
     let study = Study::new(1000.0);
     let replaced = study.run_experiment(REPLACED, D32F);
     report("depth replace", &replaced);
@@ -152,7 +152,7 @@ fn e07_no_bias_is_needed_with_depth_replace_and_none_helps_without_harm() {
 }
 
 #[test]
-fn e07_on_24_bits_the_sampler_compares_what_was_not_rounded_and_the_loop_gets_stuck() {
+pub(crate) fn e07_on_24_bits_the_sampler_compares_what_was_not_rounded_and_the_loop_gets_stuck() {
     // llvmpipe compares the fragment's depth as a float with what is stored in 24 bits: a fragment whose depth was
     // rounded down lies behind itself. Rounding both sides first is the cure.
     let study = Study::new(100.0);
@@ -204,7 +204,7 @@ fn e07_on_24_bits_the_sampler_compares_what_was_not_rounded_and_the_loop_gets_st
 }
 
 #[test]
-fn e07_on_24_bits_a_pixel_is_stuck_just_where_a_stored_depth_was_rounded_down() {
+pub(crate) fn e07_on_24_bits_a_pixel_is_stuck_just_where_a_stored_depth_was_rounded_down() {
     // Stored is rint(z (2^24 - 1)), and what a texel gives is that times the f32 nearest to 1 / (2^24 - 1).
     let study = Study::new(10.0);
     let finding = study.run_experiment(WINDOW_Z, D24);
@@ -222,7 +222,7 @@ fn e07_on_24_bits_a_pixel_is_stuck_just_where_a_stored_depth_was_rounded_down() 
 }
 
 #[test]
-fn e07_a_loop_that_would_never_end_is_given_up_and_says_so() {
+pub(crate) fn e07_a_loop_that_would_never_end_is_given_up_and_says_so() {
     // No limit is asked for: the bound is the depth complexity of the scene.
     let study = Study::new(10.0);
     let coplanar = CoplanarDepthPeelingOptions::default();
@@ -258,7 +258,7 @@ fn e07_a_loop_that_would_never_end_is_given_up_and_says_so() {
 }
 
 #[test]
-fn e09_8_and_16_bits_are_not_enough_and_24_are() {
+pub(crate) fn e09_8_and_16_bits_are_not_enough_and_24_are() {
     // Compared in so many bits, a pixel shows as many layers as it has fragments on different steps.
     let mut wrong = vec![];
     let study = Study::new(10_000.0);
@@ -287,7 +287,7 @@ fn e09_8_and_16_bits_are_not_enough_and_24_are() {
 }
 
 #[test]
-fn e09_a_16_bit_depth_buffer_loses_what_shares_a_step() {
+pub(crate) fn e09_a_16_bit_depth_buffer_loses_what_shares_a_step() {
     let study = Study::new(100.0);
     let comparator = Comparator::ShaderInBits(16);
     let finding = study.run_experiment(
@@ -316,7 +316,7 @@ fn e09_a_16_bit_depth_buffer_loses_what_shares_a_step() {
 }
 
 #[test]
-fn e06_the_detector_and_the_exact_image_agree_on_what_is_right() {
+pub(crate) fn e06_the_detector_and_the_exact_image_agree_on_what_is_right() {
     // Two independent judges: colours against the oracle, and fragments counted by the light they let through.
     let study = Study::new(100.0);
     let finding = study.run_experiment(MIXED, D32F);

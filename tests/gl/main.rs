@@ -3,11 +3,19 @@
 #[path = "../kit/mod.rs"]
 mod kit;
 
+/// Only a path that leads to a test here compiles.
+macro_rules! cited {
+    (gl $(:: $name:ident)+) => { const _: fn() = crate $(:: $name)+; };
+    ($($elsewhere:tt)+) => {};
+}
+
+#[path = "../kit/ledger.rs"]
+mod ledger;
+
 mod a_buffer;
 mod a_buffer_bands;
 mod a_buffer_kept;
 mod accumulation;
-mod amendment_tests;
 mod camera_path;
 mod claims_carr;
 mod claims_carr_options;
@@ -24,6 +32,7 @@ mod classic_listing_2;
 mod coplanar;
 mod cross_section;
 mod dual_peeling;
+mod errata_everitt;
 mod exact;
 mod exact_depth;
 mod exact_measures;

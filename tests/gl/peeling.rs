@@ -128,7 +128,7 @@ fn shuffled_triangles_give_the_same_image_bit_for_bit() {
 }
 
 #[test]
-fn every_pixel_of_a_layer_is_counted_once() {
+pub(crate) fn every_pixel_of_a_layer_is_counted_once() {
     let context = Context::headless().unwrap();
     for compositing in BOTH {
         let frame = peel(

@@ -97,7 +97,7 @@ fn compare(frame: &Frame, scene: &Scene, count: u32, rule: Rule) -> (usize, f64)
 }
 
 #[test]
-fn c02_random_scenes_are_the_slices_in_f64_s() {
+pub(crate) fn c02_random_scenes_are_the_slices_in_f64_s() {
     let context = Context::headless().unwrap();
     let largest = Cell::new(0.0_f64);
     let cases = (plans(), 1..100_u32);
@@ -153,7 +153,7 @@ fn a_missing_slice_or_another_opacity_would_be_noticed() {
 }
 
 #[test]
-fn c02_c03_iterations_are_those_of_the_surfaces_alone() {
+pub(crate) fn c02_c03_iterations_are_those_of_the_surfaces_alone() {
     let context = Context::headless().unwrap();
     for seed in 0..6 {
         let scene = random_scene(seed);
@@ -171,7 +171,7 @@ fn c02_c03_iterations_are_those_of_the_surfaces_alone() {
 /// The scene of Carr et al.'s figure 1 with a volume instead of its generated slices: the cone's two layers, and one that
 /// finds nothing.
 #[test]
-fn c03_figure_1_with_a_volume_takes_3_iterations_instead_of_259() {
+pub(crate) fn c03_figure_1_with_a_volume_takes_3_iterations_instead_of_259() {
     let context = Context::headless().unwrap();
     let mut scene = Scene::load_at("examples/scenes/slices.toml", Some([40, 30])).unwrap();
     scene.meshes.remove(0);

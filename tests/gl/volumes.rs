@@ -87,7 +87,7 @@ fn compare(image: &Image, scene: &Scene) -> (usize, f64) {
 }
 
 #[test]
-fn l16_a_second_caster_agrees_on_random_scenes() {
+pub(crate) fn l16_a_second_caster_agrees_on_random_scenes() {
     let context = Context::headless().unwrap();
     for seed in 0..12 {
         let scene = random_scene(seed);

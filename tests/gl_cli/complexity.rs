@@ -14,7 +14,7 @@ fn desk() -> Desk {
 }
 
 #[test]
-fn l01_complexity_writes_the_picture_the_plot_and_the_table() {
+pub(crate) fn l01_complexity_writes_the_picture_the_plot_and_the_table() {
     let desk = desk();
     let arguments = [
         "complexity",
@@ -77,7 +77,7 @@ fn names_that_say_no_format_are_refused_before_anything_is_written() {
 }
 
 #[test]
-fn l09_render_says_what_a_static_array_has_lost() {
+pub(crate) fn l09_render_says_what_a_static_array_has_lost() {
     let desk = desk();
     let answer = desk.run(&[
         "render", "s.toml", "-m", "ppll", "--array", "2", "-o", "i.png",

@@ -3,6 +3,15 @@
 #[path = "../kit/mod.rs"]
 mod kit;
 
+/// Only a path that leads to a test here compiles.
+macro_rules! cited {
+    (gl_cli $(:: $name:ident)+) => { const _: fn() = crate $(:: $name)+; };
+    ($($elsewhere:tt)+) => {};
+}
+
+#[path = "../kit/ledger.rs"]
+mod ledger;
+
 mod animate;
 mod animate_killed;
 mod bad_input;

@@ -2,7 +2,6 @@
 #![allow(dead_code, unreachable_pub)]
 
 pub mod a_buffer;
-pub mod amendment_tests;
 pub mod bounds;
 pub mod carr_scenes;
 pub mod cast;

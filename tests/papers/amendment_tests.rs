@@ -1,4 +1,5 @@
-//! Every amendment names a test that exists.
+//! Every amendment names a test that exists: one of this binary, or one that a claim or an erratum names by its path, which
+//! the compiler checks.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -6,7 +7,7 @@ use std::path::Path;
 
 use onionskin::papers;
 
-use crate::kit::amendment_tests::{IN_GL, compiled};
+use crate::ledger::{cited, compiled};
 
 #[test]
 fn every_amendment_names_a_test_that_is_compiled() {
@@ -44,19 +45,16 @@ fn every_amendment_of_every_text_is_among_those_that_are_held_against_the_tests(
     }
 }
 
-#[test]
-fn no_amendment_is_said_to_need_a_test_that_none_names() {
-    let named = named();
-    let idle: Vec<_> = IN_GL
-        .iter()
-        .filter(|name| !named.contains(**name))
-        .collect();
-    assert!(idle.is_empty(), "{idle:?}");
-}
+/// Tests of claims whose row is still open (`papers/claims_and_errata.rs`).
+const OPEN: [&str; 1] = ["batches_give_the_same_image_in_fewer_iterations_each"];
 
+/// The names of tests, without their modules.
 fn existing() -> BTreeSet<String> {
-    let in_gl = IN_GL.iter().map(|&name| name.to_owned());
-    compiled().into_iter().chain(in_gl).collect()
+    let cited = cited().into_iter().map(str::to_owned);
+    let paths = compiled().into_iter().chain(cited);
+    let name = |path: String| path.rsplit("::").next().unwrap().to_owned();
+    let open = OPEN.map(str::to_owned);
+    paths.map(name).chain(open).collect()
 }
 
 /// The tests that the amendments in the sources name.

@@ -18,7 +18,7 @@ use crate::kit::peels::{
 };
 
 #[test]
-fn c12_sorted_input_takes_one_iteration_and_one_that_finds_nothing() {
+pub(crate) fn c12_sorted_input_takes_one_iteration_and_one_that_finds_nothing() {
     for which in [Loop::A, Loop::B] {
         for n in [1, 2, 30, 127, 128] {
             assert_eq!(amended(which, &sorted(n)).iterations(), 2, "{which:?} {n}");
@@ -27,7 +27,7 @@ fn c12_sorted_input_takes_one_iteration_and_one_that_finds_nothing() {
 }
 
 #[test]
-fn c13_reversed_input_takes_half_as_many_iterations_as_it_has_layers() {
+pub(crate) fn c13_reversed_input_takes_half_as_many_iterations_as_it_has_layers() {
     for which in [Loop::A, Loop::B] {
         for n in [1, 2, 3, 9, 16, 32] {
             let iterations = amended(which, &reversed(n)).iterations() as usize;
@@ -38,7 +38,7 @@ fn c13_reversed_input_takes_half_as_many_iterations_as_it_has_layers() {
 }
 
 #[test]
-fn c13_at_least_two_layers_leave_per_iteration() {
+pub(crate) fn c13_at_least_two_layers_leave_per_iteration() {
     for n in [8, 24] {
         for pixel in random_image(n).chunks(1) {
             let useful = amended(Loop::A, pixel).iterations() - 1;
@@ -48,7 +48,7 @@ fn c13_at_least_two_layers_leave_per_iteration() {
 }
 
 #[test]
-fn c14_an_overflow_of_pass_1_costs_iterations_but_loses_nothing() {
+pub(crate) fn c14_an_overflow_of_pass_1_costs_iterations_but_loses_nothing() {
     // The text: "the stencil count will be invalid". INCR saturates; any z_min_prev at or behind the right one is safe.
     for n in [255, 256, 257, 300, 600] {
         let a = amended(Loop::A, &reversed(n)).iterations();
@@ -63,7 +63,7 @@ fn c14_an_overflow_of_pass_1_costs_iterations_but_loses_nothing() {
 }
 
 #[test]
-fn c14_wrapping_instead_of_saturating_loses_nothing_either() {
+pub(crate) fn c14_wrapping_instead_of_saturating_loses_nothing_either() {
     const WRAP: Amendment = Amendment {
         key: "wrap",
         kind: onionskin::low_level::steps::Kind::Correction,
@@ -82,7 +82,7 @@ fn c14_wrapping_instead_of_saturating_loses_nothing_either() {
 }
 
 #[test]
-fn c15_an_iteration_peels_at_most_128_surfaces_and_loses_none() {
+pub(crate) fn c15_an_iteration_peels_at_most_128_surfaces_and_loses_none() {
     for (n, useful) in [
         (127, 1),
         (128, 1),
@@ -100,7 +100,7 @@ fn c15_an_iteration_peels_at_most_128_surfaces_and_loses_none() {
 }
 
 #[test]
-fn c24_sorting_beforehand_removes_the_overflow() {
+pub(crate) fn c24_sorting_beforehand_removes_the_overflow() {
     let n = 600;
     let mut pixels = reversed(n);
     let unsorted = amended(Loop::A, &pixels).iterations();
@@ -110,7 +110,7 @@ fn c24_sorting_beforehand_removes_the_overflow() {
 }
 
 #[test]
-fn c19_the_ideal_gpu_takes_at_most_as_many_iterations_as_layer_peeling() {
+pub(crate) fn c19_the_ideal_gpu_takes_at_most_as_many_iterations_as_layer_peeling() {
     for n in [1, 8, 16, 24] {
         for pixels in [
             random_image(n),
@@ -165,7 +165,7 @@ fn improved(which: Loop, pixels: &[Pixel], improvement: Amendment) -> Emulated {
 }
 
 #[test]
-fn tie_friendly_pass_3_peels_sorted_pairs_at_once() {
+pub(crate) fn tie_friendly_pass_3_peels_sorted_pairs_at_once() {
     let pairs = vec![pixel((0..32).map(|k| depth_of(k / 2, 16)))];
     assert_eq!(amended(Loop::A, &pairs).iterations(), 17);
     assert_eq!(improved(Loop::A, &pairs, TIE_FRIENDLY).iterations(), 2);
@@ -178,7 +178,7 @@ fn tie_friendly_pass_3_peels_sorted_pairs_at_once() {
 }
 
 #[test]
-fn a_query_on_pass_1_ends_a_sorted_scene_after_seven_passes() {
+pub(crate) fn a_query_on_pass_1_ends_a_sorted_scene_after_seven_passes() {
     let passes = |emulated: &Emulated| emulated.emulator.record().draws.len();
     for (which, improvement, faithful, early) in [
         (Loop::A, STOP_ON_PASS_1, 12, 7),
@@ -204,7 +204,7 @@ fn a_query_on_pass_1_ends_a_sorted_scene_after_seven_passes() {
 }
 
 #[test]
-fn pass_2_is_only_an_accelerator() {
+pub(crate) fn pass_2_is_only_an_accelerator() {
     // Any z_min_prev at or behind the right one is safe: passes 3 and 4 find what it misses as the run's end.
     const SKIPPED: Amendment = Amendment {
         key: "skipped",
@@ -225,7 +225,7 @@ fn pass_2_is_only_an_accelerator() {
 }
 
 #[test]
-fn c22_nothing_behind_the_opaque_depth_is_composited_or_counted() {
+pub(crate) fn c22_nothing_behind_the_opaque_depth_is_composited_or_counted() {
     for which in LOOPS {
         let pixels: Vec<Pixel> = random_image(16)
             .into_iter()

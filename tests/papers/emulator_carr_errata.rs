@@ -15,7 +15,7 @@ use crate::kit::peels::{
 };
 
 #[test]
-fn x4_a_closed_range_in_passes_3_and_4_costs_iterations() {
+pub(crate) fn x4_a_closed_range_in_passes_3_and_4_costs_iterations() {
     for (pixels, name) in [
         (random_image(24), "random 24"),
         (nearly_sorted_image(24), "two exchanged"),
@@ -32,7 +32,7 @@ fn x4_a_closed_range_in_passes_3_and_4_costs_iterations() {
 }
 
 #[test]
-fn x5_a_closed_range_in_pass_5_composites_the_bound_twice() {
+pub(crate) fn x5_a_closed_range_in_pass_5_composites_the_bound_twice() {
     let pixels = random_image(8);
     assert!(without(Loop::A, "X5", &pixels).bad(&pixels) > 1000);
     // With surfaces in order there is nothing at the bound.
@@ -41,7 +41,7 @@ fn x5_a_closed_range_in_pass_5_composites_the_bound_twice() {
 }
 
 #[test]
-fn x6_a_range_that_is_open_below_loses_s_n() {
+pub(crate) fn x6_a_range_that_is_open_below_loses_s_n() {
     // Section 4.2's "tight bound" (D(sn), ...]: the first surface itself is never composited.
     const OPEN_BELOW: Amendment = Amendment {
         key: "X6",
@@ -60,7 +60,7 @@ fn x6_a_range_that_is_open_below_loses_s_n() {
 }
 
 #[test]
-fn x8_surfaces_on_the_opaque_surface_are_composited_for_ever() {
+pub(crate) fn x8_surfaces_on_the_opaque_surface_are_composited_for_ever() {
     let pixels: Vec<Pixel> = random_image(8)
         .into_iter()
         .map(|pixel| {
@@ -76,7 +76,7 @@ fn x8_surfaces_on_the_opaque_surface_are_composited_for_ever() {
 }
 
 #[test]
-fn x9_surfaces_on_the_near_plane_are_lost() {
+pub(crate) fn x9_surfaces_on_the_near_plane_are_lost() {
     let pixels: Vec<Pixel> = tied_image(8, 5)
         .into_iter()
         .map(|mut pixel| {
@@ -106,7 +106,7 @@ fn x9_surfaces_on_the_near_plane_are_lost() {
 }
 
 #[test]
-fn x10_counting_pass_5_alone_ends_the_loop_too_early() {
+pub(crate) fn x10_counting_pass_5_alone_ends_the_loop_too_early() {
     const PASS_5_ONLY: Amendment = Amendment {
         key: "X10",
         kind: onionskin::low_level::steps::Kind::Correction,
@@ -130,7 +130,7 @@ fn x10_counting_pass_5_alone_ends_the_loop_too_early() {
 }
 
 #[test]
-fn x11_a_closed_range_in_pass_2_only_costs_iterations() {
+pub(crate) fn x11_a_closed_range_in_pass_2_only_costs_iterations() {
     let pixels: Vec<Pixel> = random_image(8)
         .into_iter()
         .map(|pixel| {
@@ -146,7 +146,7 @@ fn x11_a_closed_range_in_pass_2_only_costs_iterations() {
 }
 
 #[test]
-fn x12_state_left_behind_loses_surfaces() {
+pub(crate) fn x12_state_left_behind_loses_surfaces() {
     let pixels = random_image(8);
     for which in [Loop::A, Loop::B] {
         let lost = without(which, "X12", &pixels);
@@ -155,7 +155,7 @@ fn x12_state_left_behind_loses_surfaces() {
 }
 
 #[test]
-fn x13_white_clears_erase_the_image() {
+pub(crate) fn x13_white_clears_erase_the_image() {
     let pixels = random_image(8);
     let erased = without(Loop::A, "X13", &pixels);
     let wrong = pixels
@@ -170,7 +170,7 @@ fn x13_white_clears_erase_the_image() {
 }
 
 #[test]
-fn x16_the_printed_blend_factors_multiply_all_earlier_depths() {
+pub(crate) fn x16_the_printed_blend_factors_multiply_all_earlier_depths() {
     // Two surfaces that lower the depth are right by chance, since the color was cleared to 1.
     let blank = reversed(16);
     let printed = without(Loop::B, "X16", &blank);
@@ -183,7 +183,7 @@ fn x16_the_printed_blend_factors_multiply_all_earlier_depths() {
 }
 
 #[test]
-fn x17_sixteen_bit_floats_are_not_enough_for_depths() {
+pub(crate) fn x17_sixteen_bit_floats_are_not_enough_for_depths() {
     // z_min_prev rounds, and may come to lie before D(sn).
     let mut dice = Dice(17);
     let pixels: Vec<Pixel> = (0..1024)
@@ -211,7 +211,7 @@ fn x17_sixteen_bit_floats_are_not_enough_for_depths() {
 }
 
 #[test]
-fn x14_blending_left_on_does_no_harm_where_maps_are_depths() {
+pub(crate) fn x14_blending_left_on_does_no_harm_where_maps_are_depths() {
     // If maps were read from colors, it would. Here they are copies of the depth buffer, and colors are masked.
     const OFF: Amendment = Amendment {
         amended: steps! {
@@ -277,7 +277,7 @@ fn hybrid_without(key: &str, pixels: &[Pixel]) -> [usize; 2] {
 }
 
 #[test]
-fn x19_sorted_surfaces_at_a_peel_depth_are_lost() {
+pub(crate) fn x19_sorted_surfaces_at_a_peel_depth_are_lost() {
     let pixels = half_sorted(tied_image(20, 64));
     let [listing, pseudocode] = hybrid_without("X19", &pixels);
     println!("{listing} of 1024 pixels");
@@ -288,7 +288,7 @@ fn x19_sorted_surfaces_at_a_peel_depth_are_lost() {
 }
 
 #[test]
-fn x20_unsorted_surfaces_on_the_opaque_surface_are_composited_in_every_iteration() {
+pub(crate) fn x20_unsorted_surfaces_on_the_opaque_surface_are_composited_in_every_iteration() {
     let mut dice = Dice(20);
     let pixels: Vec<Pixel> = half_sorted(random_image(12))
         .into_iter()
@@ -306,7 +306,7 @@ fn x20_unsorted_surfaces_on_the_opaque_surface_are_composited_in_every_iteration
 }
 
 #[test]
-fn x21_unsorted_surfaces_on_the_near_plane_are_lost() {
+pub(crate) fn x21_unsorted_surfaces_on_the_near_plane_are_lost() {
     let pixels: Vec<Pixel> = half_sorted(tied_image(8, 16))
         .into_iter()
         .map(|mut pixel| {
@@ -324,7 +324,7 @@ fn x21_unsorted_surfaces_on_the_near_plane_are_lost() {
 }
 
 #[test]
-fn c02_iterations_depend_on_the_unsorted_geometry_only() {
+pub(crate) fn c02_iterations_depend_on_the_unsorted_geometry_only() {
     for slices in [0, 10, 100] {
         let mut surfaces = pixel([0.8, 0.2, 0.5]);
         let sorted = pixel((0..slices).map(|k| depth_of(k, slices)));
@@ -338,7 +338,7 @@ fn c02_iterations_depend_on_the_unsorted_geometry_only() {
 }
 
 #[test]
-fn x22_pixels_that_are_done_composite_their_last_layer_again() {
+pub(crate) fn x22_pixels_that_are_done_composite_their_last_layer_again() {
     let pixels = random_image(8);
     let printed = algorithm_2(&[], &pixels);
     println!("{} of 1024 pixels", bad(&pixels, &printed.composited));
@@ -357,7 +357,7 @@ fn x22_pixels_that_are_done_composite_their_last_layer_again() {
 }
 
 #[test]
-fn x23_the_tighter_bound_halves_reversed_input() {
+pub(crate) fn x23_the_tighter_bound_halves_reversed_input() {
     for (pixels, name) in [(reversed(16), "reversed 16"), (random_image(8), "random 8")] {
         let printed = algorithm_2(&ideal::AMENDMENTS_2, &pixels);
         let tight = algorithm_2(&ideal::TIGHT_BOUND, &pixels);

@@ -14,7 +14,7 @@ const CASES: usize = 208_848;
 const IMAGE: usize = 6000;
 
 /// Every sequence of `n` ranks in which all ranks from 0 to some k occur: every order with every pattern of ties.
-fn sequences_with_ties(n: usize) -> Vec<Vec<usize>> {
+pub(crate) fn sequences_with_ties(n: usize) -> Vec<Vec<usize>> {
     let mut all = vec![vec![]];
     for _ in 0..n {
         all = all
@@ -54,7 +54,7 @@ fn depth(half_ranks: usize) -> f32 {
 }
 
 /// The sequence without an opaque surface, and with one at, between and behind its surfaces.
-fn with_every_opaque(ranks: &[usize]) -> impl Iterator<Item = Pixel> {
+pub(crate) fn with_every_opaque(ranks: &[usize]) -> impl Iterator<Item = Pixel> {
     let without = pixel(ranks.iter().map(|rank| depth(rank * 2)));
     let highest = ranks.iter().max().map_or(0, |rank| rank * 2 + 1);
     let with = without.clone();
@@ -141,7 +141,7 @@ fn layer_peeling_composites_every_sequence() {
 }
 
 /// For hybrid layer peeling, the surfaces of `mask` are sorted geometry, submitted front to back.
-fn partly_sorted(mut pixel: Pixel, mask: usize) -> Pixel {
+pub(crate) fn partly_sorted(mut pixel: Pixel, mask: usize) -> Pixel {
     let chosen: Vec<usize> = (0..pixel.len())
         .filter(|&place| mask >> place & 1 == 1 && pixel[place].group != Group::Opaque)
         .collect();
@@ -176,7 +176,7 @@ fn hybrid_cases() -> Vec<Pixel> {
 }
 
 #[test]
-fn hybrid_layer_peeling_composites_every_sequence_with_every_part_of_it_sorted() {
+pub(crate) fn hybrid_layer_peeling_composites_every_sequence_with_every_part_of_it_sorted() {
     let cases = hybrid_cases();
     for image in cases.chunks(IMAGE) {
         let emulated = emulate(Loop::Hybrid, image, &Loop::Hybrid.amendments());
@@ -193,7 +193,7 @@ fn hybrid_layer_peeling_composites_every_sequence_with_every_part_of_it_sorted()
 }
 
 #[test]
-fn algorithm_2_composites_every_sequence() {
+pub(crate) fn algorithm_2_composites_every_sequence() {
     let cases = cases();
     for amendments in [&ideal::AMENDMENTS_2[..], &ideal::TIGHT_BOUND] {
         for image in cases.chunks(IMAGE) {

@@ -49,7 +49,7 @@ const LATER: [Amendment; 5] = [
 ];
 
 #[test]
-fn c07_pass_1_counts_s1_s2_and_s3() {
+pub(crate) fn c07_pass_1_counts_s1_s2_and_s3() {
     let pass = &figure_2(&LATER)[0];
     print!("{pass}");
     assert_eq!(pass.with(Pass), [1, 2, 3]);
@@ -59,7 +59,7 @@ fn c07_pass_1_counts_s1_s2_and_s3() {
 }
 
 #[test]
-fn c08_pass_2_stops_at_s2() {
+pub(crate) fn c08_pass_2_stops_at_s2() {
     let pass = &figure_2(&LATER)[1];
     assert_eq!(pass.with(Pass), [1, 2]);
     assert_eq!(pass.with(StencilFail), [3, 5, 6, 7, 8, 9, 10]);
@@ -67,7 +67,7 @@ fn c08_pass_2_stops_at_s2() {
 }
 
 #[test]
-fn x2_s1_is_not_skipped_in_pass_2_but_drawn() {
+pub(crate) fn x2_s1_is_not_skipped_in_pass_2_but_drawn() {
     // "In the case of Figure 2 we skip s1 and stop at s2": s1 passes, and counts the stencil down.
     let pass = &figure_2(&LATER)[1];
     let s1 = pass.fates.iter().find(|fate| fate.order == 1).unwrap();
@@ -75,7 +75,7 @@ fn x2_s1_is_not_skipped_in_pass_2_but_drawn() {
 }
 
 #[test]
-fn c09_pass_3_counts_s3_s5_s6_and_s7_and_s9_inverts_the_count() {
+pub(crate) fn c09_pass_3_counts_s3_s5_s6_and_s7_and_s9_inverts_the_count() {
     let pass = &figure_2(&LATER)[2];
     assert_eq!(pass.with(Pass), [3, 5, 6, 7]);
     assert_eq!(pass.with(DepthFail), [9]);
@@ -85,7 +85,7 @@ fn c09_pass_3_counts_s3_s5_s6_and_s7_and_s9_inverts_the_count() {
 }
 
 #[test]
-fn x1_s9_does_not_set_the_depth_in_pass_3() {
+pub(crate) fn x1_s9_does_not_set_the_depth_in_pass_3() {
     // The text: "sets the depth to D(s9)". A fragment that fails the depth test never writes depth.
     let pass = &figure_2(&LATER)[2];
     assert_eq!(pass.left, (251, FIGURE_2[7]));
@@ -93,7 +93,7 @@ fn x1_s9_does_not_set_the_depth_in_pass_3() {
 }
 
 #[test]
-fn c10_pass_4_skips_as_many_and_finds_s10() {
+pub(crate) fn c10_pass_4_skips_as_many_and_finds_s10() {
     let pass = &figure_2(&LATER)[3];
     assert_eq!(pass.with(StencilFail), [3, 5, 6, 7]);
     assert_eq!(pass.with(Pass), [9, 10]);
@@ -101,7 +101,7 @@ fn c10_pass_4_skips_as_many_and_finds_s10() {
 }
 
 #[test]
-fn c11_pass_5_composites_the_run_and_pass_6_what_ends_it() {
+pub(crate) fn c11_pass_5_composites_the_run_and_pass_6_what_ends_it() {
     // The range of figure 2's caption, [D(s3), D(s10)]: s3, s5, s6 in pass 5, s10 in pass 6.
     let draws = figure_2(&LATER);
     assert_eq!(draws[4].with(Pass), [3, 5, 6]);
@@ -153,7 +153,7 @@ fn figure_2_trace_fits(depths: &[f32; 11]) -> bool {
 }
 
 #[test]
-fn exactly_18_orders_of_s1_to_s10_fit_figure_2_s_text() {
+pub(crate) fn exactly_18_orders_of_s1_to_s10_fit_figure_2_s_text() {
     // s0 is in front of everything, as it must not be counted.
     let mut fitting = 0;
     let mut depths = [0.0; 11];
@@ -241,7 +241,7 @@ fn depths(pixel: &Pixel) -> Vec<f32> {
 }
 
 #[test]
-fn c06_the_passes_find_what_section_4_defines() {
+pub(crate) fn c06_the_passes_find_what_section_4_defines() {
     for n in [1, 2, 5, 8, 16] {
         let pixels = random_image(n);
         for which in [Loop::A, Loop::B] {
@@ -255,7 +255,7 @@ fn c06_the_passes_find_what_section_4_defines() {
 }
 
 #[test]
-fn x7_a_predecessor_outside_of_the_range_hides_a_surface_that_is_out_of_order() {
+pub(crate) fn x7_a_predecessor_outside_of_the_range_hides_a_surface_that_is_out_of_order() {
     // A surface whose predecessor in the whole list lies outside of the range, and nearer, counts as in order by the
     // printed text, although it lies before an earlier surface of the range.
     let differs = |n: usize| {

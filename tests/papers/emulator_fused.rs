@@ -162,14 +162,14 @@ impl Case {
 }
 
 #[test]
-fn l16_every_list_is_evaluated_as_light_is() {
+pub(crate) fn l16_every_list_is_evaluated_as_light_is() {
     for case in cases() {
         assert!(case.comes_out(&FUSED, &FUSED_AMENDMENTS, 9), "{case:?}");
     }
 }
 
 #[test]
-fn l17_ppdp_keeps_the_state_whatever_its_buffer() {
+pub(crate) fn l17_ppdp_keeps_the_state_whatever_its_buffer() {
     for case in cases() {
         for array in [1, 2, 3, 9] {
             assert!(
@@ -181,7 +181,7 @@ fn l17_ppdp_keeps_the_state_whatever_its_buffer() {
 }
 
 #[test]
-fn l16_without_where_it_begins_a_ray_is_wrong_exactly_where_it_begins_inside() {
+pub(crate) fn l16_without_where_it_begins_a_ray_is_wrong_exactly_where_it_begins_inside() {
     let mut wrong = 0;
     for case in cases() {
         // What is left before it was entered is taken to be entered there, and not left again. So even a volume that ends
@@ -198,7 +198,7 @@ fn l16_without_where_it_begins_a_ray_is_wrong_exactly_where_it_begins_inside() {
 }
 
 #[test]
-fn l16_without_the_opaque_surface_a_ray_goes_on_behind_it() {
+pub(crate) fn l16_without_the_opaque_surface_a_ray_goes_on_behind_it() {
     let wrong: Vec<Case> = cases()
         .into_iter()
         .filter(|case| !case.comes_out(&FUSED, &[BEGIN_INSIDE], 9))
@@ -222,7 +222,7 @@ fn l16_without_the_opaque_surface_a_ray_goes_on_behind_it() {
 /// Where a subpass begins as if it were the first, from the near plane and with the occupancy of the whole list, light is
 /// counted again; only lists that fit into the buffer come out.
 #[test]
-fn l17_a_state_that_is_not_kept_loses_what_subpasses_share() {
+pub(crate) fn l17_a_state_that_is_not_kept_loses_what_subpasses_share() {
     const EVALUATION: [ListLine; 2] = [
         ListLine::Cast(SegmentEnd::FragmentOrOpaque),
         ListLine::If(ListTest::IsProxy, &[ListLine::Toggle], &[ListLine::Blend]),

@@ -97,7 +97,8 @@ fn every_amendment_is_found_in_its_algorithm_once() {
 /// Lists of up to four fragments on three depths, in every order in memory, with every small buffer: nothing is lost, the
 /// order is the oracle's, and no subpass is wasted.
 #[test]
-fn l13_amended_peeling_is_the_oracle_s_order_of_every_small_list_however_it_lies_in_memory() {
+pub(crate) fn l13_amended_peeling_is_the_oracle_s_order_of_every_small_list_however_it_lies_in_memory()
+ {
     let lists: Vec<_> = small_lists(4).iter().map(|depths| list(depths)).collect();
     let mut cases = 0;
     for submitted in &lists {
@@ -147,7 +148,7 @@ fn every_rule_loses_what_its_twin_loses_on_every_small_list() {
 }
 
 #[test]
-fn l13_random_lists_come_out_in_the_oracle_s_order() {
+pub(crate) fn l13_random_lists_come_out_in_the_oracle_s_order() {
     let depths = proptest::collection::vec(0..40_u32, 0..60);
     let checked = stack::runner(2000).run(&(depths, 1..12_u32), |(depths, n)| {
         let submitted = list(&depths);
@@ -174,7 +175,7 @@ fn l13_random_lists_come_out_in_the_oracle_s_order() {
 /// Erratum L1. Twenty coplanar fragments and a buffer of eight: twelve are lost. With the rule amended but not what is
 /// stored, the same.
 #[test]
-fn l13_ties_are_lost_where_a_buffer_ends_as_printed() {
+pub(crate) fn l13_ties_are_lost_where_a_buffer_ends_as_printed() {
     let lists = [list(&[5; 20])];
     let composited = |amendments: &[_]| {
         run(&PP_DP, amendments, &lists, 8).pixels[0]
@@ -188,7 +189,7 @@ fn l13_ties_are_lost_where_a_buffer_ends_as_printed() {
 
 /// Erratum L4.
 #[test]
-fn l13_what_lies_at_depth_0_is_skipped_as_printed() {
+pub(crate) fn l13_what_lies_at_depth_0_is_skipped_as_printed() {
     let lists = [list(&[3, 0, 4])];
     let composited = |amendments: &[_]| {
         run(&PP_DP, amendments, &lists, 8).pixels[0]
@@ -201,7 +202,7 @@ fn l13_what_lies_at_depth_0_is_skipped_as_printed() {
 
 /// Erratum L3. Read as a count, "until all fragments are resolved" holds of what was not lost only.
 #[test]
-fn l13_a_loop_that_waits_for_a_lost_fragment_never_ends() {
+pub(crate) fn l13_a_loop_that_waits_for_a_lost_fragment_never_ends() {
     let distinct = [list(&[5, 1, 3, 2, 4])];
     let tied = [list(&[5, 1, 3, 3, 4])];
     let ends = |amendments: &[_], lists: &[_]| run(&PP_DP, amendments, lists, 2).ended;
@@ -215,7 +216,7 @@ fn l13_a_loop_that_waits_for_a_lost_fragment_never_ends() {
 /// Erratum L2. The text's n - 1 a subpass loses one with each that overflows, because it goes on from the n-th. Going on
 /// from the last that was resolved loses none, within the bound that the text gives; with n = 1 it stands still.
 #[test]
-fn l12_n_minus_1_a_pass_but_going_on_from_the_nth_loses_one_a_pass() {
+pub(crate) fn l12_n_minus_1_a_pass_but_going_on_from_the_nth_loses_one_a_pass() {
     for count in 1..=64_u32 {
         let lists = [list(&(1..=count).collect::<Vec<_>>())];
         for n in 2..=9 {
@@ -247,7 +248,7 @@ fn every_complexity(most: u32) -> Vec<Vec<Fragment>> {
 
 /// Erratum L5. Amended, every pixel is in one segment: the smallest that holds it, and the last if none does.
 #[test]
-fn l11_past_the_last_segment_nothing_is_resolved_as_printed() {
+pub(crate) fn l11_past_the_last_segment_nothing_is_resolved_as_printed() {
     let lists = every_complexity(600);
     for max in [8, 16, 64, 256] {
         let printed = run(&PP_AO, &[], &lists, max);
@@ -270,7 +271,7 @@ fn l11_past_the_last_segment_nothing_is_resolved_as_printed() {
 
 /// What lies past N in the list is lost: the last in memory, not the farthest.
 #[test]
-fn l09_without_pp_dp_the_last_segment_drops_what_overflows_it() {
+pub(crate) fn l09_without_pp_dp_the_last_segment_drops_what_overflows_it() {
     let lists = every_complexity(40);
     let run = run(&PP_AO, &[PP_AO_WITHOUT_PP_DP], &lists, 16);
     for (list, pixel) in lists.iter().zip(&run.pixels) {
@@ -283,7 +284,7 @@ fn l09_without_pp_dp_the_last_segment_drops_what_overflows_it() {
 /// A static array of every size, and every list of up to four fragments on three depths in every order in memory: it keeps
 /// the first of the list, or the nearest, whatever the order.
 #[test]
-fn l09_a_full_array_keeps_the_first_of_its_list_or_the_nearest() {
+pub(crate) fn l09_a_full_array_keeps_the_first_of_its_list_or_the_nearest() {
     for depths in small_lists(4) {
         let submitted = list(&depths);
         let in_memory = orders(&submitted);
@@ -326,7 +327,7 @@ fn wrong(times: &[u32]) -> Vec<usize> {
 
 /// Every counter, mark and last segment, for every complexity from 1 to 600, against arithmetic.
 #[test]
-fn l11_the_stencil_s_masks_are_what_arithmetic_says() {
+pub(crate) fn l11_the_stencil_s_masks_are_what_arithmetic_says() {
     for counter in [Counter::Stencil, Counter::StencilWrapping] {
         for mark in [Mark::Keep, Mark::Replace, Mark::Invert] {
             for max in [8, 16, 32, 64, 128, 256] {
@@ -339,7 +340,7 @@ fn l11_the_stencil_s_masks_are_what_arithmetic_says() {
 
 /// Erratum L7: what marks a pixel is not said.
 #[test]
-fn l11_of_the_marks_only_invert_works_and_only_up_to_128() {
+pub(crate) fn l11_of_the_marks_only_invert_works_and_only_up_to_128() {
     let invert = |max| wrong(&times(Counter::Stencil, Mark::Invert, max));
     assert_eq!(
         invert(64),
@@ -363,7 +364,7 @@ fn l11_of_the_marks_only_invert_works_and_only_up_to_128() {
 
 /// Erratum L6: eight bits stay at 255 by INCR, and begin again by INCR_WRAP, where 256 to 264 seem to fit an array of 8.
 #[test]
-fn l11_eight_bits_send_what_is_past_255_to_the_wrong_segment() {
+pub(crate) fn l11_eight_bits_send_what_is_past_255_to_the_wrong_segment() {
     let lists = every_complexity(600);
     let wrapping = stencil(Counter::StencilWrapping, Mark::Invert);
     let wrapping = &run(&PP_AO, &wrapping, &lists, 64).pixels[259];

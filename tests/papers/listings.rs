@@ -11,13 +11,13 @@ use crate::kit::changed::changed;
 use crate::kit::golden::assert_golden;
 
 #[test]
-fn e03_listing_1_prints_as_the_paper_has_it() {
+pub(crate) fn e03_listing_1_prints_as_the_paper_has_it() {
     let transcript = include_str!("../print/everitt/listing-1.txt");
     assert_eq!(print::listing(&everitt_2001::LISTING_1, &[]), transcript);
 }
 
 #[test]
-fn e03_two_rounds_of_listing_1_unroll_with_their_buffers() {
+pub(crate) fn e03_two_rounds_of_listing_1_unroll_with_their_buffers() {
     let mut recorder = Recorder::new();
     run(
         &everitt_2001::LISTING_1,
@@ -30,7 +30,7 @@ fn e03_two_rounds_of_listing_1_unroll_with_their_buffers() {
 }
 
 #[test]
-fn e03_unit_0_becomes_a_shadow_lookup_and_unit_1_the_ordinary_depth_test() {
+pub(crate) fn e03_unit_0_becomes_a_shadow_lookup_and_unit_1_the_ordinary_depth_test() {
     let mut recorder = Recorder::new();
     let variables = Variables::new().with("num_passes", 2.0);
     run(

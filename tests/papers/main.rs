@@ -3,8 +3,18 @@
 #[path = "../kit/mod.rs"]
 mod kit;
 
+/// Only a path that leads to a test here compiles.
+macro_rules! cited {
+    (papers $(:: $name:ident)+) => { const _: fn() = crate $(:: $name)+; };
+    ($($elsewhere:tt)+) => {};
+}
+
+#[path = "../kit/ledger.rs"]
+mod ledger;
+
 mod amendment_tests;
 mod check;
+mod claims_and_errata;
 mod emulator_carr_claims;
 mod emulator_carr_errata;
 mod emulator_coplanar;
@@ -12,7 +22,12 @@ mod emulator_exhaustive;
 mod emulator_figure_2;
 mod emulator_fused;
 mod emulator_lists;
+mod errata_carr;
+mod errata_in_print;
+mod errata_lindholm;
 mod lindholm;
 mod listings;
 mod listings_carr;
 mod print;
+mod smallest_change;
+mod vtk_requirements;

@@ -3,6 +3,15 @@
 #[path = "../kit/mod.rs"]
 mod kit;
 
+/// Only a path that leads to a test here compiles.
+macro_rules! cited {
+    (scene $(:: $name:ident)+) => { const _: fn() = crate $(:: $name)+; };
+    ($($elsewhere:tt)+) => {};
+}
+
+#[path = "../kit/ledger.rs"]
+mod ledger;
+
 mod any_bytes;
 mod bad_models;
 mod camera;

@@ -14,7 +14,9 @@
 //!
 //! The paper's letters: `s_c` is the last surface that was peeled, `s_n` the first behind it, `D(s)` a surface's depth.
 
+mod claims;
 pub mod coherent;
+mod errata;
 pub mod hybrid;
 pub mod ideal;
 pub mod passes;
@@ -79,4 +81,6 @@ pub const PAPER: Paper = Paper {
         coherent::RESOURCES_B[0],
         coherent::RESOURCES_B[1],
     ],
+    claims: claims::CLAIMS,
+    errata: errata::ERRATA,
 };

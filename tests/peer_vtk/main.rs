@@ -9,6 +9,16 @@
 //!
 //! The scenes are rendered at half their size, because VTK peels the molecule 36 times.
 
+/// Only a path that leads to a test here compiles.
+macro_rules! cited {
+    (peer_vtk $(:: $name:ident)+) => { const _: fn() = crate $(:: $name)+; };
+    ($($elsewhere:tt)+) => {};
+}
+
+mod errata;
+#[path = "../kit/ledger.rs"]
+mod ledger;
+
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -141,11 +151,20 @@ fn ours(scene: &str, method: &Method) -> Image {
     renderer.render(&scene, method).unwrap().image
 }
 
-/// VTK's picture with no limit on its peels; nothing if there is no VTK.
+/// VTK's picture of a shared scene with no limit on its peels; nothing if there is no VTK.
 fn vtk(scene: &str, mode: &str) -> Option<Image> {
+    vtk_picture(
+        &shared().join(format!("data/{scene}.toml")),
+        SIZE,
+        mode,
+        &[],
+    )
+}
+
+/// VTK's picture of a scene, with options of the script; nothing if there is no VTK.
+fn vtk_picture(scene: &Path, size: [u32; 2], mode: &str, options: &[&str]) -> Option<Image> {
     let script = shared().join("peer/vtk_peel.py");
-    let scene = shared().join(format!("data/{scene}.toml"));
-    for path in [&script, &scene] {
+    for path in [script.as_path(), scene] {
         if !path.exists() {
             println!("skipped: there is no {}", path.display());
             return None;
@@ -164,9 +183,10 @@ fn vtk(scene: &str, mode: &str) -> Option<Image> {
         .arg(script)
         .arg("--scene")
         .arg(scene)
-        .args(["--size", &format!("{}x{}", SIZE[0], SIZE[1])])
+        .args(["--size", &format!("{}x{}", size[0], size[1])])
         .args(["--mode", mode, "--frames", "1", "--warmup", "1", "--out"])
         .arg(&picture)
+        .args(options)
         .output()
         .unwrap();
     assert!(

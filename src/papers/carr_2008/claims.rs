@@ -1,0 +1,197 @@
+//! What the paper claims, and what running it has shown.
+
+claims! {
+    C01 ("section 1") InKind {
+        claim: "Layer peeling takes as many iterations as the worst pixel has layers, and each draws everything: n² \
+                work.",
+        figures: [("iterations for n layers", "n", "n + 1")],
+        evidence: "12 and 22 layers take 13 and 23 iterations, because one has to find nothing. Each draws the scene \
+                   twice, the last once. The fragments themselves are not counted.",
+        tests: [gl::claims_carr::c01_layer_peeling_takes_as_many_iterations_as_the_deepest_pixel_has_layers],
+    }
+    C02 ("section 3, Algorithm 1") Amended {
+        claim: "Hybrid layer peeling composites sorted and unsorted geometry together. Its iterations depend on the \
+                unsorted geometry only.",
+        evidence: "0, 10 and 100 slices take the iterations of the unsorted surfaces alone. As printed, Algorithm 1 \
+                   loses or repeats surfaces in three places (CX19, CX20, CX21). As amended it composites 199,490 \
+                   sequences of surfaces exactly, and the pseudocode and the OpenGL are one algorithm.",
+        tests: [
+            papers::listings_carr::c02_algorithm_1_prints_as_the_paper_has_it,
+            papers::emulator_carr_errata::c02_iterations_depend_on_the_unsorted_geometry_only,
+            papers::emulator_exhaustive::hybrid_layer_peeling_composites_every_sequence_with_every_part_of_it_sorted,
+            gl::slices::c02_random_scenes_are_the_slices_in_f64_s,
+            gl::slices::c02_c03_iterations_are_those_of_the_surfaces_alone,
+        ],
+    }
+    C03 ("figure 1") InKind {
+        claim: "256 slices of a volume with a cone in it take layer peeling 257 iterations, and hybrid layer peeling \
+                3.",
+        figures: [
+            ("iterations of hybrid layer peeling", "3", "3"),
+            ("iterations of layer peeling", "257", "259"),
+        ],
+        evidence: "A pixel of the cone sees 256 slices and two layers of the cone, and one iteration finds nothing. \
+                   A cone that has one layer in front of all slices would take hybrid layer peeling 2 (CX30).",
+        tests: [
+            gl::claims_carr::c03_figure_1_takes_3_iterations_instead_of_257,
+            gl::slices::c03_figure_1_with_a_volume_takes_3_iterations_instead_of_259,
+        ],
+    }
+    C06 ("section 4, steps 1 and 2") Amended {
+        claim: "z_min_prev and z_min_post, the nearest surfaces out of order before and after s_n, bound the range \
+                that is in order.",
+        evidence: "Computed straight from 1024 random sequences each of 1 to 16 surfaces, they are what the passes \
+                   leave in the depth buffer after the first iteration, in both variants. The definition as printed \
+                   is not: it compares with a predecessor that may lie outside of the range (CX07).",
+        tests: [
+            papers::emulator_figure_2::c06_the_passes_find_what_section_4_defines,
+            papers::emulator_figure_2::x7_a_predecessor_outside_of_the_range_hides_a_surface_that_is_out_of_order,
+        ],
+    }
+    C07 ("figure 2, pass 1") Reproduced {
+        claim: "s1, s2 and s3 update the stencil. It becomes 3, and the depth D(s3).",
+        figures: [("stencil", "3", "3")],
+        evidence: "On the emulated pixel and on OpenGL, for an order of depth that fits the text. 18 orders do.",
+        tests: [
+            papers::emulator_figure_2::c07_pass_1_counts_s1_s2_and_s3,
+            papers::emulator_figure_2::exactly_18_orders_of_s1_to_s10_fit_figure_2_s_text,
+            gl::figure_2::c07_to_c10_figure_2_on_opengl,
+        ],
+    }
+    C08 ("figure 2, pass 2") Amended {
+        claim: "s1 is skipped and the pass stops at s2. The stencil becomes 1, and the depth D(s2), which is \
+                z_min_prev.",
+        figures: [("stencil", "1", "1")],
+        evidence: "Stencil and depth are as printed. But s1 is not skipped: it is drawn, and counts the stencil down \
+                   (CX02).",
+        tests: [
+            papers::emulator_figure_2::c08_pass_2_stops_at_s2,
+            papers::emulator_figure_2::x2_s1_is_not_skipped_in_pass_2_but_drawn,
+            gl::figure_2::c07_to_c10_figure_2_on_opengl,
+        ],
+    }
+    C09 ("figure 2, pass 3") Amended {
+        claim: "s3, s5, s6 and s7 are counted. s9 inverts the stencil from 4 to 251 and sets the depth to D(s9).",
+        figures: [("stencil", "251", "251")],
+        evidence: "The stencil is as printed. The depth stays D(s7), because a fragment that fails the depth test \
+                   writes none (CX01). Nothing later reads it.",
+        tests: [
+            papers::emulator_figure_2::c09_pass_3_counts_s3_s5_s6_and_s7_and_s9_inverts_the_count,
+            papers::emulator_figure_2::x1_s9_does_not_set_the_depth_in_pass_3,
+            gl::figure_2::c07_to_c10_figure_2_on_opengl,
+        ],
+    }
+    C10 ("figure 2, pass 4") Reproduced {
+        claim: "s3, s5, s6 and s7 are skipped, s9 and s10 rendered. The depth becomes D(s10), which is z_min_post.",
+        evidence: "On the emulated pixel and on OpenGL. The stencil ends at 255.",
+        tests: [
+            papers::emulator_figure_2::c10_pass_4_skips_as_many_and_finds_s10,
+            gl::figure_2::c07_to_c10_figure_2_on_opengl,
+        ],
+    }
+    C11 ("section 5.2; figure 2's caption") Amended {
+        claim: "Pass 5 composites the coherent range, [D(s3), D(s10)], and pass 6 the surface at its upper bound.",
+        evidence: "Pass 5 composites s3, s5 and s6, and pass 6 composites s10. For that the range of pass 5 must be \
+                   half open, and the state of pass 4 must be reset (CX05, CX12). This is one of the 18 orders that \
+                   fit the figure.",
+        tests: [
+            papers::emulator_figure_2::c11_pass_5_composites_the_run_and_pass_6_what_ends_it,
+            papers::emulator_carr_errata::x5_a_closed_range_in_pass_5_composites_the_bound_twice,
+            papers::emulator_carr_errata::x12_state_left_behind_loses_surfaces,
+        ],
+    }
+    C12 ("abstract") InKind {
+        claim: "Perfectly sorted surfaces are rendered in a single iteration.",
+        figures: [("iterations for up to 128 sorted surfaces", "1", "1, and 1 that finds nothing")],
+        evidence: "A loop that ends by a query needs an iteration more to see that nothing is left; a query on pass \
+                   1 would end it after 7 geometry passes instead of 12. Surfaces of equal depth break a run: 16 \
+                   sorted pairs take 17 iterations, and with GEQUAL in pass 3 they take 2.",
+        tests: [
+            papers::emulator_carr_claims::c12_sorted_input_takes_one_iteration_and_one_that_finds_nothing,
+            papers::emulator_carr_claims::a_query_on_pass_1_ends_a_sorted_scene_after_seven_passes,
+            papers::emulator_carr_claims::tie_friendly_pass_3_peels_sorted_pairs_at_once,
+        ],
+    }
+    C13 ("abstract; section 5.2") InKind {
+        claim: "In the worst case, reversed order, two layers are peeled in each iteration.",
+        figures: [("iterations for n reversed layers", "n/2", "n/2, rounded up, and 1")],
+        evidence: "It holds for 1 to 32 reversed layers in both variants, and random orders of 8 and 24 layers never \
+                   take more. Layers of equal depth count as one here.",
+        tests: [
+            papers::emulator_carr_claims::c13_reversed_input_takes_half_as_many_iterations_as_it_has_layers,
+            papers::emulator_carr_claims::c13_at_least_two_layers_leave_per_iteration,
+        ],
+    }
+    C14 ("section 5.1, pass 1") InKind {
+        claim: "With more than 255 surfaces in opposite order the stencil overflows, and its count is invalid.",
+        evidence: "It overflows, and iterations are wasted: 300 layers take A 174 and B 151, 600 take 474 and 301. \
+                   But nothing is lost, whether INCR saturates or wraps, because any z_min_prev behind the right one \
+                   is safe. Variant B has no such limit.",
+        tests: [
+            papers::emulator_carr_claims::c14_an_overflow_of_pass_1_costs_iterations_but_loses_nothing,
+            papers::emulator_carr_claims::c14_wrapping_instead_of_saturating_loses_nothing_either,
+            papers::emulator_carr_claims::pass_2_is_only_an_accelerator,
+        ],
+    }
+    C15 ("section 5.1, pass 3") Reproduced {
+        claim: "An iteration processes at most 128 surfaces, and there are no overflow issues.",
+        figures: [("surfaces that an iteration peels at most", "128", "128")],
+        evidence: "128 sorted surfaces take one iteration that finds something, 129 take 2, 257 take 3 and 600 take \
+                   5. None is lost.",
+        tests: [papers::emulator_carr_claims::c15_an_iteration_peels_at_most_128_surfaces_and_loses_none],
+    }
+    C19 ("section 7, Algorithm 2") Amended {
+        claim: "On an ideal GPU an iteration takes two geometry passes, and the worst case is that of layer peeling.",
+        figures: [("geometry passes an iteration", "2", "2")],
+        evidence: "As printed, pixels that are done composite their last layer again (CX22). As amended it \
+                   composites 208,848 sequences exactly and never takes more iterations than layer peeling. OpenGL \
+                   runs it by framebuffer fetch or by images.",
+        tests: [
+            papers::emulator_carr_claims::c19_the_ideal_gpu_takes_at_most_as_many_iterations_as_layer_peeling,
+            papers::emulator_exhaustive::algorithm_2_composites_every_sequence,
+            gl::claims_carr_options::c19_the_ideal_gpu_takes_two_geometry_passes_an_iteration,
+            gl::claims_carr_options::c19_the_ideal_gpu_by_images_gives_the_same_image,
+        ],
+    }
+    C20 ("table 1") Reproduced {
+        claim: "An iteration takes 6 geometry passes by variant A, 5 by variant B and 2 by layer peeling.",
+        figures: [("geometry passes an iteration: A, B, layer peeling", "6, 5, 2", "6, 5, 2")],
+        evidence: "On knots, with one exception that the paper does not count: the last iteration of layer peeling, \
+                   which finds nothing, takes 1.",
+        tests: [gl::claims_carr::c20_geometry_passes_are_6_5_and_2_an_iteration],
+    }
+    C21 ("table 1; section 8") InKind {
+        claim: "On mostly sorted models coherent layer peeling takes several times fewer iterations, and is up to 3 \
+                times as fast.",
+        figures: [
+            ("layer peeling's iterations for one of variant A", "2.5 to 8.7", "2.3 to 5.8"),
+        ],
+        evidence: "A molecule takes 29 iterations by layer peeling and 5 by variant A, knots 13 and 4, a teapot 7 \
+                   and 3. Times are not part of a test: on a software renderer they would say nothing of the paper's \
+                   GPU.",
+        tests: [gl::claims_carr::c21_coherent_peeling_takes_several_times_fewer_iterations_on_sorted_models],
+    }
+    C22 ("section 5.1") Amended {
+        claim: "The opaque depth bounds the range: nothing behind it is counted or composited.",
+        evidence: "Nothing is, and the images are exact in every method. What lies on the opaque surface itself is \
+                   composited in every iteration as printed (CX08).",
+        tests: [
+            papers::emulator_carr_claims::c22_nothing_behind_the_opaque_depth_is_composited_or_counted,
+            papers::emulator_carr_errata::x8_surfaces_on_the_opaque_surface_are_composited_for_ever,
+            gl::claims_carr::c22_opaque_surfaces_bound_every_method,
+        ],
+    }
+    C23 ("section 9") InKind {
+        claim: "A simple bucket sort of triangles by their centroids makes models sorted enough.",
+        figures: [("iterations on shuffled knots: unsorted, 16 buckets, 1024 buckets", "-", "7, 5, 4")],
+        evidence: "More buckets take fewer iterations. How many are enough depends on the scene.",
+        tests: [gl::claims_carr::c23_bucket_sort_makes_a_model_sorted_enough],
+    }
+    C24 ("section 5.1, pass 1") Reproduced {
+        claim: "Sorting the surfaces beforehand removes the overflow of pass 1.",
+        figures: [("iterations for 600 layers: reversed, sorted", "-", "more than 400, fewer than 10")],
+        evidence: "In opposite order the stencil overflows and the iterations are many (C14). Sorted, the same \
+                   layers do not come near it.",
+        tests: [papers::emulator_carr_claims::c24_sorting_beforehand_removes_the_overflow],
+    }
+}

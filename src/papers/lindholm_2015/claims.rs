@@ -1,0 +1,210 @@
+//! What the paper claims, and what running it has shown.
+
+claims! {
+    L01 ("section 3.1") InKind {
+        claim: "One atomic counter for each pixel makes the depth complexity image, and its histogram is the DCH.",
+        evidence: "The counters have the known depths of a row of pixels, and blending and the stencil count the \
+                   same. The paper counts all geometry; here what lies behind an opaque surface does not count, \
+                   unless boxes of volumes are there.",
+        tests: [
+            gl::claims_lindholm::l01_atomic_counters_give_the_depth_complexity_image_and_its_histogram,
+            gl::a_buffer::the_counts_equal_the_occlusion_query_s_however_they_are_counted,
+            gl::fused::l01_the_complexity_image_counts_boxes,
+            gl_cli::complexity::l01_complexity_writes_the_picture_the_plot_and_the_table,
+        ],
+    }
+    L02 ("section 3.2") Reproduced {
+        claim: "Closed geometry makes even depth complexities dominate.",
+        evidence: "Of a closed knot no pixel at all has an odd count. With a third of it cut away more than a \
+                   hundred have.",
+        tests: [gl::claims_lindholm::l02_closed_geometry_makes_even_depth_complexities_dominate],
+    }
+    L03 ("section 3.2, figure 1") InKind {
+        claim: "Histograms of real scenes fall steeply: most pixels lie far below the maximum.",
+        figures: [
+            ("maximum in the protein scene", "46", "32"),
+            ("pixels of 8 layers or fewer", "68%", "55.1% of the covered ones"),
+            ("pixels of more than 17 layers", "6.6%", "5.6% of the covered ones"),
+        ],
+        evidence: "The bundled molecule is another one. In each of four scenes half of the covered pixels have at \
+                   most a third of the deepest one's surfaces. A stack that is as deep everywhere does not fall.",
+        tests: [
+            gl::claims_lindholm::l03_most_pixels_of_the_molecule_lie_far_below_the_maximum,
+            gl::four_scenes::l03_most_pixels_lie_far_below_the_maximum,
+            gl::four_scenes::a_stack_that_is_as_deep_everywhere_does_not_fall,
+        ],
+    }
+    L04 ("section 4, figures 3 and 4") Reproduced {
+        claim: "The A-buffer's three steps, clear, fill and resolve, run over three memory managers, FFB, DFB and \
+                PPLL.",
+        evidence: "By 96 combinations of managers, fills, sorts and arrays, random stacks with ties come out as the \
+                   oracle has them, bit for bit alike. This holds up to the array's size. Past it the managers keep \
+                   different fragments (L09, LX12).",
+        tests: [
+            gl::claims_lindholm::l04_three_managers_give_the_same_image,
+            gl::a_buffer::l04_every_manager_and_fill_gives_the_oracle_s_image,
+        ],
+    }
+    L05 ("section 4, figure 4") Reproduced {
+        claim: "DFB gives each pixel a base offset into the pool, by a prefix scan of the counts, so that lists are \
+                contiguous.",
+        evidence: "The image is that of fixed buffers at five odd sizes, and the pool holds a record for each \
+                   fragment and no more. The scan is a compute shader; the paper's was CUDA, with a penalty for the \
+                   switch.",
+        tests: [gl::claims_lindholm::l05_base_offsets_keep_every_pixel_s_list_to_itself],
+    }
+    L06 ("section 4, figure 4") Reproduced {
+        claim: "PPLL chains each pixel's fragments from a list anchor through a pool.",
+        evidence: "By atomics, as the paper has it, a fragment takes a record of 16 bytes and a link of 4. Filled in \
+                   order, the same lists need no atomics.",
+        tests: [gl::claims_lindholm::l06_linked_lists_take_a_node_and_a_link_for_each_fragment],
+    }
+    L07 ("section 6.1") InKind {
+        claim: "A fragment is stored as z (float32), id (int32) and colour (4 x float16), 16 bytes, and the id's \
+                bits hold the source's type and number.",
+        figures: [("bytes of a record", "16", "16")],
+        evidence: "The bytes are those that are allocated. What is in them follows from images alone: ties come out \
+                   in the order that the ids give.",
+        tests: [
+            gl::claims_lindholm::l07_a_record_has_16_bytes,
+            gl::a_buffer::l04_every_manager_and_fill_gives_the_oracle_s_image,
+        ],
+    }
+    L08 ("section 7.2") Amended {
+        claim: "FFB takes approximately 12.6 MiB for each depth layer at 1024 x 768.",
+        figures: [("a layer of FFB", "12.6 MiB", "12.6 MB, which are 12.0 MiB")],
+        evidence: "The number is right and the unit is not (LX14).",
+        tests: [gl::claims_lindholm::l08_a_layer_of_a_fixed_buffer_takes_12_6_megabytes_which_are_12_mebibytes],
+    }
+    L09 ("section 4, Managing Local GPU Caches") Reproduced {
+        claim: "A static array of N limits the depth complexity to N, since everything beyond is discarded.",
+        evidence: "Exactly the pixels of more than N fragments are wrong, and the frame says how many fragments are \
+                   missing. Which of them are discarded is left open (LX12).",
+        tests: [
+            gl::claims_lindholm_resolve::l09_a_static_array_loses_everything_past_n_and_says_so,
+            gl::a_buffer_kept::l09_a_full_array_keeps_what_each_manager_s_list_begins_with,
+            gl::a_buffer_kept::l09_keeping_the_nearest_gives_the_oracle_s_image_of_the_nearest_n,
+            papers::emulator_lists::l09_without_pp_dp_the_last_segment_drops_what_overflows_it,
+            gl_cli::complexity::l09_render_says_what_a_static_array_has_lost,
+        ],
+    }
+    L10 ("section 5.1") Amended {
+        claim: "ppAO resolves pixels by segments of 8, 16, 32 ... N with a program each. It counts while it fills \
+                and adds no geometry pass.",
+        evidence: "Every pixel is resolved once, by the smallest segment that holds it. ppAO adds no geometry pass \
+                   to a static array; every A-buffer here makes one that counts, because lists are allocated by an \
+                   exact count. The masking itself has to be corrected (LX05 to LX07).",
+        tests: [
+            gl::claims_lindholm_resolve::l10_the_fill_counts_and_no_geometry_pass_is_added,
+            gl::claims_lindholm_resolve::l10_every_pixel_is_resolved_by_the_smallest_segment_that_holds_it,
+        ],
+    }
+    L11 ("section 6.2") Amended {
+        claim: "An 8-bit stencil buffer does not limit the depth complexity to 255: higher ones share a segment.",
+        evidence: "No 8-bit stencil does it with a last segment of 64 or 128: what is deeper is resolved in no \
+                   segment. With one of 256 pixels are resolved twice (LX05 to LX07). By a counter of 32 bits, a \
+                   last segment that takes the rest, and ppDP, complexities of 254 to 600 lose nothing.",
+        tests: [
+            gl::claims_lindholm_resolve::l11_complexities_of_255_and_more_share_the_last_segment_and_none_is_lost,
+            gl::claims_lindholm_resolve::l11_as_printed_the_stencil_loses_what_lies_past_the_last_segment,
+            papers::emulator_lists::l11_the_stencil_s_masks_are_what_arithmetic_says,
+            papers::emulator_lists::l11_of_the_marks_only_invert_works_and_only_up_to_128,
+        ],
+    }
+    L12 ("section 5.2") Amended {
+        claim: "ppDP with a buffer of n sorts n - 1 fragments a subpass, so that a pixel of D takes at most D / (n - \
+                1), rounded up.",
+        figures: [("subpasses of D fragments", "at most D / (n - 1)", "D / n, rounded up")],
+        evidence: "The bound holds and is not reached: the pseudocode resolves n a subpass. To resolve n - 1 and go \
+                   on from the n-th, as the text has it, loses one a subpass (LX02).",
+        tests: [
+            gl::claims_lindholm_resolve::l12_a_pixel_takes_at_most_d_over_n_minus_1_subpasses,
+            papers::emulator_lists::l12_n_minus_1_a_pass_but_going_on_from_the_nth_loses_one_a_pass,
+        ],
+    }
+    L13 ("section 5.2") Amended {
+        claim: "ppDP may show artifacts where fragments of equal depth fall into two subpasses. The authors saw none.",
+        evidence: "As printed, 20 coplanar fragments leave 8 (LX01). Comparing depth and id loses none: every list \
+                   of up to four fragments in every order in memory comes out in the oracle's order.",
+        tests: [
+            gl::claims_lindholm_resolve::l13_as_printed_ties_are_lost_where_a_buffer_ends_and_amended_none,
+            papers::emulator_lists::l13_ties_are_lost_where_a_buffer_ends_as_printed,
+            papers::emulator_lists::l13_amended_peeling_is_the_oracle_s_order_of_every_small_list_however_it_lies_in_memory,
+            papers::emulator_lists::l13_random_lists_come_out_in_the_oracle_s_order,
+            gl::fused_as_printed::l13_a_tie_that_is_lost_is_a_volume_that_is_not_seen_or_does_not_end,
+        ],
+    }
+    L14 ("section 8") Amended {
+        claim: "ppAO and ppDP can be combined.",
+        evidence: "As amended, together they give the exact image by all three managers, in more than three \
+                   subpasses. Neither is exact as printed (L11, L13).",
+        tests: [gl::claims_lindholm_resolve::l14_pp_ao_and_pp_dp_together_give_the_exact_image_too],
+    }
+    L15 ("section 7.2") Reproduced {
+        claim: "A ray may end early where the transparency is below 0.02.",
+        figures: [("transparency below which a ray ends", "0.02", "0.02")],
+        evidence: "Of 64 sheets the nearest 11 are composited, the image is off by less than 0.02, and ppDP reads a \
+                   quarter of the records.",
+        tests: [gl::claims_lindholm_resolve::l15_early_ray_termination_errs_by_less_than_its_threshold_and_saves_work],
+    }
+    L16 ("section 6.1") Amended {
+        claim: "Rays are cast through the segments between fragments. A bitmask says which volumes a segment lies in.",
+        evidence: "The images are those of closed forms and of a caster in f64. For this the text needs two \
+                   additions: where the ray begins, for an eye inside of a volume, and that an opaque surface ends \
+                   it (LX15).",
+        tests: [
+            gl::fused::l16_fog_and_a_pane_follow_the_closed_form,
+            gl::fused::l16_random_scenes_are_the_f64_caster_s,
+            gl::fused::l16_densities_of_overlapping_volumes_add,
+            gl::volumes::l16_a_second_caster_agrees_on_random_scenes,
+            papers::emulator_fused::l16_every_list_is_evaluated_as_light_is,
+            papers::emulator_fused::l16_without_the_opaque_surface_a_ray_goes_on_behind_it,
+        ],
+    }
+    L17 ("section 5.2") Reproduced {
+        claim: "ppDP keeps the state of the ray, occupancy and position, from one subpass to the next.",
+        evidence: "The image is that of a single pass, bit for bit, whatever the manager, the array and the fill. A \
+                   state that is not kept is noticed.",
+        tests: [
+            papers::emulator_fused::l17_ppdp_keeps_the_state_whatever_its_buffer,
+            papers::emulator_fused::l17_a_state_that_is_not_kept_loses_what_subpasses_share,
+            gl::fused::l16_l17_every_combination_gives_one_image,
+            gl::fused_lockstep::l16_l17_the_pseudocode_and_the_shaders_see_the_same_light,
+        ],
+    }
+    L18 ("figure 7") InKind {
+        claim: "On 64 screen-filling quads in random order ppAO costs what a static array does, and ppDP is 3.6 \
+                times as fast.",
+        figures: [
+            ("array elements a pixel: static, ppAO, ppDP", "-", "64, 64, 8"),
+            ("records read a pixel: static, ppAO, ppDP", "-", "64, 64, 512"),
+        ],
+        evidence: "ppAO reserves and reads exactly what the static array does. ppDP needs an eighth of the array and \
+                   reads the list eight times. Here that is slower, not faster, because a software renderer has no \
+                   local memory to save: `benches/a_buffer.rs` prints the times.",
+        tests: [gl::claims_lindholm_resolve::l18_sixty_four_quads_cost_what_figure_7_says_they_must],
+    }
+    L20 ("figure 2") InKind {
+        claim: "Along a camera path the histogram changes with the camera and with what is shown, and the time \
+                follows it.",
+        evidence: "The cost is counted, in records read and subpasses, and follows from each frame's histogram. It \
+                   rises as the camera comes nearer and changes at once where the scene's content does, at the \
+                   pixels where it should. The bundled molecule and path are others; \
+                   `examples/20_figure_2_over_time.rs` draws them with times.",
+        tests: [
+            gl::camera_path::l20_what_a_frame_costs_follows_from_its_histogram,
+            gl::camera_path::l20_a_dolly_in_raises_coverage_and_cost_and_a_dolly_out_lowers_them,
+            gl::camera_path::l20_a_change_of_composition_shows_at_once_and_where_it_should,
+        ],
+    }
+    L21 ("section 5.2") Reproduced {
+        claim: "With ppDP the depth complexity is not limited by the local array, but by global memory only.",
+        evidence: "Up to 1000 fragments a pixel come out exact by arrays of 8, 16 and 64, with and without ppAO, and \
+                   so do 2000. llvmpipe itself ends a shader's loops at 65,535 iterations, which allows about four \
+                   thousand.",
+        tests: [
+            gl::a_buffer::l21_every_complexity_comes_out_exact_by_peeling,
+            gl::a_buffer::two_thousand_fragments_are_not_too_many,
+        ],
+    }
+}

@@ -1,0 +1,158 @@
+//! Errata of Carr et al. (2008) that are gaps, numbers and contradictions, on the emulated pixel. Those with an amendment
+//! are in `papers/emulator_carr_errata.rs`, those that only the print can show in `papers/errata_in_print.rs`.
+
+use onionskin::low_level::emulator::{Group, run_algorithm};
+use onionskin::low_level::papers::carr_2008::ideal::{ALGORITHM_2, AMENDMENTS_2, RESET_Z3};
+use onionskin::low_level::papers::carr_2008::{D_SN, DEPTH_BUFFER, Z_MIN_POST, Z_MIN_PREV};
+use onionskin::low_level::steps::pseudo::Line;
+use onionskin::low_level::steps::{Amendment, Kind};
+use onionskin::steps;
+
+use crate::kit::changed::changed;
+use crate::kit::peels::{Loop, Pixel, amended, bad, depth_of, emulate, pixel, random_image};
+
+#[test]
+pub(crate) fn cx15_each_map_is_lost_that_is_not_copied_before_the_next_pass() {
+    const COPIES: [Amendment; 3] = [
+        changed(steps! { glCopyImageSubData(DEPTH_BUFFER, D_SN); }, &[]),
+        changed(
+            steps! { glCopyImageSubData(DEPTH_BUFFER, Z_MIN_PREV); },
+            &[],
+        ),
+        changed(
+            steps! { glCopyImageSubData(DEPTH_BUFFER, Z_MIN_POST); },
+            &[],
+        ),
+    ];
+    let pixels = random_image(8);
+    for (copy, map) in COPIES
+        .into_iter()
+        .zip(["D(sn)", "z_min_prev", "z_min_post"])
+    {
+        let mut amendments = vec![copy];
+        amendments.extend(Loop::A.amendments());
+        let wrong = emulate(Loop::A, &pixels, &amendments).bad(&pixels);
+        println!("without the copy of {map}: {wrong} of 1024 pixels wrong");
+        assert!(wrong > 500, "{map}: {wrong}");
+    }
+}
+
+#[test]
+pub(crate) fn cx24_a_query_over_pass_1_counts_what_it_composites_too() {
+    // What a sample query over pass 1 would see: fragments that change z1 to z3, and fragments that are composited.
+    const QUERIED: Amendment<Line> = Amendment {
+        key: "changed",
+        kind: Kind::Correction,
+        place: "Algorithm 2, line 31",
+        printed: onionskin::pseudo! { if (zFragment = zPeel) then { composite; } },
+        amended: onionskin::pseudo! {
+            if (zFragment = zPeel and zFragment < zOpaque) then {
+                gChanged <- true;
+                composite;
+            }
+        },
+        why: "gChanged is an occlusion query, as in Algorithm 1",
+        test: "this one",
+    };
+    let pixels = random_image(8);
+    let right = run_algorithm(&ALGORITHM_2, &AMENDMENTS_2, &pixels, 20).unwrap();
+    let queried = run_algorithm(&ALGORITHM_2, &[RESET_Z3, QUERIED], &pixels, 20).unwrap();
+    println!(
+        "{} iterations instead of {}",
+        queried.iterations, right.iterations
+    );
+    assert_eq!(
+        (
+            bad(&pixels, &right.composited),
+            bad(&pixels, &queried.composited)
+        ),
+        (0, 0)
+    );
+    assert_eq!(queried.iterations, right.iterations + 1);
+    // As printed, where z3 is kept, the last layer is composited for ever, so the query would never be 0.
+    assert!(
+        !run_algorithm(&ALGORITHM_2, &[QUERIED], &pixels, 20)
+            .unwrap()
+            .ended
+    );
+}
+
+/// Slices front to back, and among the first of them a cone of so many layers, which is submitted last.
+fn slices_and_cone(slices: usize, layers: usize) -> Vec<Pixel> {
+    let mut surfaces = pixel((0..slices).map(|k| depth_of(k, slices)));
+    for surface in &mut surfaces {
+        surface.group = Group::Sorted;
+    }
+    let between = |layer: usize| depth_of((layer + 1) * slices / 10, slices) + 1e-4;
+    for (mut surface, number) in pixel((0..layers).map(between)).into_iter().zip(0..) {
+        surface.fragment.order = slices as u32 + number;
+        surfaces.push(surface);
+    }
+    vec![surfaces]
+}
+
+#[test]
+pub(crate) fn cx29_at_most_128_an_iteration_cannot_be_constant() {
+    let counts = [32, 64, 128, 192, 256, 512, 1024].map(|slices| {
+        let iterations = |which| amended(which, &slices_and_cone(slices, 2)).iterations();
+        let [hybrid, a, b] = [Loop::Hybrid, Loop::A, Loop::B].map(iterations);
+        println!("{slices:5} slices: hybrid {hybrid}, A {a}, B {b}");
+        assert_eq!((hybrid, a), (3, b), "hybrid layer peeling is constant");
+        a
+    });
+    // Four fifths of the slices lie behind the cone: more than 128 of them from 192 slices on.
+    let behind = |slices: u32| (slices * 4 / 5).div_ceil(128);
+    let expected = [32, 64, 128, 192, 256, 512, 1024].map(|slices| 3 + behind(slices));
+    assert_eq!(counts, expected);
+    assert!(counts[2] == counts[0] && counts[4] > counts[2] && counts[5] > counts[4]);
+}
+
+#[test]
+pub(crate) fn cx30_no_cone_takes_257_and_3_iterations() {
+    // With and without the iteration that finds nothing.
+    for layers in 0..6 {
+        let pixels = slices_and_cone(256, layers);
+        let [hybrid, peeling] = [Loop::Hybrid, Loop::LayerPeeling]
+            .map(|which| amended(which, &pixels).iterations() as usize);
+        assert_eq!((hybrid, peeling), (layers + 1, 256 + layers + 1));
+        for counted in [0, 1] {
+            assert_ne!((peeling - counted, hybrid - counted), (257, 3));
+        }
+    }
+}
+
+/// The factors of `glBlendFunc` in the specification of OpenGL 4.6, table 17.2.
+const FACTORS: [&str; 19] = [
+    "ZERO",
+    "ONE",
+    "SRC_COLOR",
+    "ONE_MINUS_SRC_COLOR",
+    "DST_COLOR",
+    "ONE_MINUS_DST_COLOR",
+    "SRC_ALPHA",
+    "ONE_MINUS_SRC_ALPHA",
+    "DST_ALPHA",
+    "ONE_MINUS_DST_ALPHA",
+    "CONSTANT_COLOR",
+    "ONE_MINUS_CONSTANT_COLOR",
+    "CONSTANT_ALPHA",
+    "ONE_MINUS_CONSTANT_ALPHA",
+    "SRC_ALPHA_SATURATE",
+    "SRC1_COLOR",
+    "ONE_MINUS_SRC1_COLOR",
+    "SRC1_ALPHA",
+    "ONE_MINUS_SRC1_ALPHA",
+];
+
+#[test]
+pub(crate) fn cx33_one_of_section_6_s_four_factors_is_none_of_opengl_s() {
+    let text = include_str!("../print/carr/section-6.txt");
+    let (_, arguments) = text.split_once("glBlendFuncSeparate(").unwrap();
+    let (arguments, _) = arguments.split_once(')').unwrap();
+    let unknown: Vec<_> = arguments
+        .split(',')
+        .map(str::trim)
+        .filter(|factor| !FACTORS.contains(factor))
+        .collect();
+    assert_eq!(unknown, ["DEST_ALPHA"]);
+}
