@@ -4,14 +4,17 @@ mod animate;
 mod arguments;
 mod check;
 mod chosen;
+mod claims;
 mod compare;
 mod complexity;
 mod doctor;
 mod driver_report;
 mod encoding;
+mod errata;
 mod flags;
 mod frame_folder;
 mod frame_row;
+mod ledger;
 mod licences;
 mod listing;
 mod listing_json;
@@ -53,6 +56,7 @@ Examples:
   onionskin complexity examples/scenes/teapot.toml     how many layers each pixel has
   onionskin animate scene.toml -o frames               a camera path as pictures and a table
   onionskin listing everitt/listing-1                  what depth peeling does, as the paper has it
+  onionskin claims everitt                             what a paper claims, and whether it is true
 
 `onionskin COMMAND --help` explains the arguments, `onionskin render --help` also scene files.
 Results go to standard output; notes and errors go to standard error.
@@ -66,6 +70,8 @@ enum Command {
     Complexity(complexity::Complexities),
     Animate(animate::Animate),
     Listing(listing::Listing),
+    Claims(claims::Claims),
+    Errata(errata::Errata),
     Methods(methods::Methods),
     Doctor(doctor::Doctor),
     Licences(licences::Licences),
@@ -87,6 +93,8 @@ pub(crate) fn run() -> ExitCode {
         Command::Complexity(complexity) => complexity.run(),
         Command::Animate(animate) => animate.run(),
         Command::Listing(listing) => listing.run(),
+        Command::Claims(claims) => claims.run(),
+        Command::Errata(errata) => errata.run(),
         Command::Methods(methods) => methods.run(),
         Command::Doctor(doctor) => doctor.run(),
         Command::Licences(licences) => licences.run(),

@@ -7,13 +7,15 @@ use onionskin::{papers, registry};
 use crate::kit::cli::{Answer, Desk};
 use crate::kit::golden::assert_golden;
 
-const SUBCOMMANDS: [&str; 9] = [
+const SUBCOMMANDS: [&str; 11] = [
     "render",
     "compare",
     "check",
     "complexity",
     "animate",
     "listing",
+    "claims",
+    "errata",
     "methods",
     "doctor",
     "licences",
