@@ -14,8 +14,9 @@ use onionskin::low_level::steps::{Amendment, Call, Machine, Query, gl::*};
 use onionskin::{Context, Format, Mesh, Scene, steps};
 use proptest::test_runner::{TestCaseError, TestError};
 
+use crate::kit::chance::Chance;
 use crate::kit::lockstep::{LockStep, Watched, surfaces};
-use crate::kit::peels::{Dice, Loop};
+use crate::kit::peels::Loop;
 use crate::kit::stack::{LEVELS, Piece, Stack};
 
 /// Sequences in the large image: one a pixel.
@@ -23,17 +24,17 @@ const SIDE: u32 = 100;
 
 /// A random list a pixel: any number of surfaces from 0 to 10, on few or on many depths, sorted, reversed or anyhow.
 fn random_stack(seed: u64) -> Stack {
-    let mut dice = Dice(seed);
+    let mut chance = Chance::new(seed);
     let pixels = (0..SIDE * SIDE).map(|_| {
-        let count = dice.below(11);
-        let levels = [4, 16, 900][dice.below(3)];
+        let count = chance.below(11);
+        let levels = [4, 16, 900][chance.below(3)];
         let mut pieces: Vec<Piece> = (0..count)
             .map(|_| Piece {
-                level: (dice.below(levels) * (usize::from(LEVELS) / levels)) as u16,
-                color: std::array::from_fn(|_| dice.below(256) as f32 / 255.0),
+                level: (chance.below(levels) * (usize::from(LEVELS) / levels)) as u16,
+                color: std::array::from_fn(|_| chance.below(256) as f32 / 255.0),
             })
             .collect();
-        match dice.below(4) {
+        match chance.below(4) {
             0 => pieces.sort_by_key(|piece| piece.level),
             1 => pieces.sort_by_key(|piece| std::cmp::Reverse(piece.level)),
             _ => {}
@@ -172,7 +173,7 @@ fn ten_thousand_sequences_by_hybrid_layer_peeling() {
 
 #[test]
 fn ten_thousand_sequences_on_24_bit_depths_as_llvmpipe_samples_them() {
-    if !is_llvmpipe() {
+    if !fixed_depths_are_products() {
         return;
     }
     for which in peels::LOOPS {
@@ -182,7 +183,7 @@ fn ten_thousand_sequences_on_24_bit_depths_as_llvmpipe_samples_them() {
 
 #[test]
 fn ten_thousand_sequences_on_16_bit_depths_as_llvmpipe_samples_them() {
-    if !is_llvmpipe() {
+    if !fixed_depths_are_products() {
         return;
     }
     // Without a stencil there is no coherent layer peeling.
@@ -339,11 +340,13 @@ fn stencil_operations_agree_one_by_one() {
     }
 }
 
-fn is_llvmpipe() -> bool {
-    let renderer = Context::headless().unwrap().driver().renderer.clone();
-    if !renderer.contains("llvmpipe") {
+/// What is modelled.
+fn fixed_depths_are_products() -> bool {
+    let context = Context::headless().unwrap();
+    let is_modelled = context.driver().quirks().fixed_depths_are_products;
+    if !is_modelled {
+        let renderer = &context.driver().renderer;
         println!("skipped: {renderer} is not llvmpipe, whose fixed-point depths are modelled");
-        return false;
     }
-    true
+    is_modelled
 }

@@ -5,7 +5,8 @@ use glam::{DAffine3, DQuat, DVec3, Vec3};
 use onionskin::{Mesh, Rgba, Scene, Transfer, TransferPoint, Vertex, Volume};
 use proptest::prelude::*;
 
-use super::fog_scenes::{Random, seen_closely};
+use super::chance::Chance;
+use super::fog_scenes::seen_closely;
 
 /// A scene, to be printed and made.
 #[derive(Clone, Debug)]
@@ -65,10 +66,8 @@ impl Lattice {
         shear.matrix3.y_axis.x = self.shear;
         let middle = DVec3::from_array(self.middle);
         let place = DAffine3::from_rotation_translation(turn, middle) * shear * unit;
-        let mut random = Random(self.seed + 88_172_645_463_325_252);
-        // Neighbouring seeds begin alike.
-        (0..8).for_each(|_| _ = random.unit());
-        let samples = (0..self.dims.iter().product()).map(|_| random.unit() as f32);
+        let mut chance = Chance::new(self.seed);
+        let samples = (0..self.dims.iter().product()).map(|_| chance.unit() as f32);
         let samples = samples.collect();
         let mut volume = Volume::new("lattice", self.dims, samples, place).unwrap();
         volume.step = self.step;

@@ -4,6 +4,8 @@ use glam::{DAffine3, DQuat, DVec3};
 use onionskin::generate::{Constant, Lattice, Quads, Soup, constant, quads, soup};
 use onionskin::{Camera, Image, Scene, Transfer, TransferPoint, Volume};
 
+use super::chance::Chance;
+
 pub fn painted(color: [f32; 3]) -> Transfer {
     let point = |value| TransferPoint {
         value,
@@ -132,72 +134,47 @@ pub fn off(scene: &Scene, image: &Image, sigma: f64) -> f64 {
     worst
 }
 
-/// Random numbers for scenes: Marsaglia's xorshift.
-pub struct Random(pub u64);
-
-impl Random {
-    pub fn unit(&mut self) -> f64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    pub fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.unit()
-    }
-
-    pub fn vector(&mut self, half: f64) -> DVec3 {
-        DVec3::from_array([(); 3].map(|()| self.between(-half, half)))
-    }
-
-    pub fn color(&mut self) -> [f32; 3] {
-        [(); 3].map(|()| self.unit() as f32)
-    }
-
-    /// Random samples in a box anywhere, turned and sheared; or one that the eye is in.
-    pub fn volume(&mut self, around_the_eye: bool) -> Volume {
-        let dims = [(); 3].map(|()| 2 + (self.unit() * 4.0) as usize);
-        let samples = (0..dims.iter().product())
-            .map(|_| self.unit() as f32)
-            .collect();
-        let half = if around_the_eye {
-            6.0
-        } else {
-            self.between(0.4, 1.2)
-        };
-        let cells = DVec3::from_array(dims.map(|count| (count - 1) as f64));
-        let turn = DQuat::from_axis_angle(self.vector(1.0).normalize(), self.between(0.0, 6.0));
-        let middle = if around_the_eye {
-            DVec3::ZERO
-        } else {
-            self.vector(1.0)
-        };
-        let mut unit = DAffine3::from_scale(2.0 * half / cells);
-        unit.translation = DVec3::splat(-half);
-        let mut shear = DAffine3::IDENTITY;
-        shear.matrix3.y_axis.x = self.between(-0.3, 0.3);
-        let placement = DAffine3::from_rotation_translation(turn, middle) * shear * unit;
-        let dense = if around_the_eye { 0.2 } else { 2.0 };
-        let mut value = 0.0;
-        let points = [(); 4].map(|()| {
-            value += self.between(0.0, 0.4) as f32;
-            TransferPoint {
-                value,
-                color: self.color(),
-                density: self.between(0.0, dense) as f32,
-            }
-        });
-        let mut volume = Volume::new("random", dims, samples, placement).unwrap();
-        volume.step = self.between(0.1, 0.9);
-        volume.with_transfer(Transfer::new(points.into()).unwrap())
-    }
+/// Random samples in a box anywhere, turned and sheared; or one that the eye is in.
+pub fn random_volume(chance: &mut Chance, around_the_eye: bool) -> Volume {
+    let dims = [(); 3].map(|()| 2 + (chance.unit() * 4.0) as usize);
+    let samples = (0..dims.iter().product())
+        .map(|_| chance.unit() as f32)
+        .collect();
+    let half = if around_the_eye {
+        6.0
+    } else {
+        chance.between(0.4, 1.2)
+    };
+    let cells = DVec3::from_array(dims.map(|count| (count - 1) as f64));
+    let turn = DQuat::from_axis_angle(chance.vector(1.0).normalize(), chance.between(0.0, 6.0));
+    let middle = if around_the_eye {
+        DVec3::ZERO
+    } else {
+        chance.vector(1.0)
+    };
+    let mut unit = DAffine3::from_scale(2.0 * half / cells);
+    unit.translation = DVec3::splat(-half);
+    let mut shear = DAffine3::IDENTITY;
+    shear.matrix3.y_axis.x = chance.between(-0.3, 0.3);
+    let placement = DAffine3::from_rotation_translation(turn, middle) * shear * unit;
+    let dense = if around_the_eye { 0.2 } else { 2.0 };
+    let mut value = 0.0;
+    let points = [(); 4].map(|()| {
+        value += chance.between(0.0, 0.4) as f32;
+        TransferPoint {
+            value,
+            color: chance.color(),
+            density: chance.between(0.0, dense) as f32,
+        }
+    });
+    let mut volume = Volume::new("random", dims, samples, placement).unwrap();
+    volume.step = chance.between(0.1, 0.9);
+    volume.with_transfer(Transfer::new(points.into()).unwrap())
 }
 
 /// Up to 30 triangles, every second scene with opaque ones, and 1 to 4 volumes, every third scene with the eye inside.
 pub fn random_scene(seed: u64) -> Scene {
-    let mut random = Random(seed + 88_172_645_463_325_252);
-    (0..8).for_each(|_| _ = random.unit());
+    let mut chance = Chance::new(seed);
     let triangles = |count, alpha, seed| {
         soup(&Soup {
             count,
@@ -212,7 +189,8 @@ pub fn random_scene(seed: u64) -> Scene {
     if seed % 2 == 1 {
         meshes.push(triangles(6, [1.0, 1.0], seed + 100));
     }
-    let volumes = (0..1 + seed % 4).map(|i| random.volume(i == 0 && seed.is_multiple_of(3)));
+    let volumes =
+        (0..1 + seed % 4).map(|i| random_volume(&mut chance, i == 0 && seed.is_multiple_of(3)));
     let volumes = volumes.collect();
     let mut scene = Scene::of("random", meshes).with_volumes(volumes);
     seen_closely(&mut scene);

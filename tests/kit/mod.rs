@@ -5,6 +5,7 @@ pub mod a_buffer;
 pub mod bounds;
 pub mod carr_scenes;
 pub mod cast;
+pub mod chance;
 pub mod changed;
 pub mod classic_cases;
 pub mod cli;

@@ -11,6 +11,8 @@ use onionskin::low_level::steps::{
 };
 use onionskin::{Format, Fragment, Rgba};
 
+use super::chance::Chance;
+
 /// A pixel's surfaces in the order of submission.
 pub type Pixel = Vec<Surface>;
 
@@ -209,43 +211,22 @@ fn color(order: u32) -> Rgba {
     Rgba::new(part(3), part(5), part(11), 0.25 + part(7) / 2.0)
 }
 
-/// Random numbers from a seed, for images whose cases need no shrinking (SplitMix64).
-pub struct Dice(pub u64);
-
-impl Dice {
-    pub fn below(&mut self, n: usize) -> usize {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        ((z ^ (z >> 31)) % n as u64) as usize
-    }
-
-    pub fn shuffled(&mut self, n: usize) -> Vec<usize> {
-        let mut numbers: Vec<usize> = (0..n).collect();
-        for i in (1..n).rev() {
-            numbers.swap(i, self.below(i + 1));
-        }
-        numbers
-    }
-}
-
 /// 32 x 32 pixels of `n` surfaces in random order at distinct depths.
 pub fn random_image(n: usize) -> Vec<Pixel> {
-    let mut dice = Dice(n as u64);
+    let mut chance = Chance::new(n as u64);
     (0..1024)
-        .map(|_| pixel(dice.shuffled(n).into_iter().map(|k| depth_of(k, n))))
+        .map(|_| pixel(chance.shuffled(n).into_iter().map(|k| depth_of(k, n))))
         .collect()
 }
 
 /// 32 x 32 pixels of `n` surfaces in order, but for two random exchanges of neighbours or others.
 pub fn nearly_sorted_image(n: usize) -> Vec<Pixel> {
-    let mut dice = Dice(n as u64 + 1);
+    let mut chance = Chance::new(n as u64 + 1);
     (0..1024)
         .map(|_| {
             let mut numbers: Vec<usize> = (0..n).collect();
             for _ in 0..2 {
-                numbers.swap(dice.below(n), dice.below(n));
+                numbers.swap(chance.below(n), chance.below(n));
             }
             pixel(numbers.into_iter().map(|k| depth_of(k, n)))
         })
@@ -254,9 +235,9 @@ pub fn nearly_sorted_image(n: usize) -> Vec<Pixel> {
 
 /// 32 x 32 pixels of `n` surfaces on few depths.
 pub fn tied_image(n: usize, levels: usize) -> Vec<Pixel> {
-    let mut dice = Dice(n as u64 + 2);
+    let mut chance = Chance::new(n as u64 + 2);
     (0..1024)
-        .map(|_| pixel((0..n).map(|_| depth_of(dice.below(levels), levels))))
+        .map(|_| pixel((0..n).map(|_| depth_of(chance.below(levels), levels))))
         .collect()
 }
 

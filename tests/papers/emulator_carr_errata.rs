@@ -8,10 +8,10 @@ use onionskin::low_level::papers::carr_2008::{hybrid, ideal};
 use onionskin::low_level::steps::Amendment;
 use onionskin::{Format, steps};
 
+use crate::kit::chance::Chance;
 use crate::kit::peels::{
-    Dice, Loop, Pixel, algorithm_2, amended, bad, before, depth_of, emulate, emulate_in,
-    expected_color, nearly_sorted_image, pixel, random_image, reversed, sorted, tied_image,
-    without,
+    Loop, Pixel, algorithm_2, amended, bad, before, depth_of, emulate, emulate_in, expected_color,
+    nearly_sorted_image, pixel, random_image, reversed, sorted, tied_image, without,
 };
 
 #[test]
@@ -185,9 +185,9 @@ pub(crate) fn x16_the_printed_blend_factors_multiply_all_earlier_depths() {
 #[test]
 pub(crate) fn x17_sixteen_bit_floats_are_not_enough_for_depths() {
     // z_min_prev rounds, and may come to lie before D(sn).
-    let mut dice = Dice(17);
+    let mut chance = Chance::new(17);
     let pixels: Vec<Pixel> = (0..1024)
-        .map(|_| pixel((0..16).map(|_| dice.below(1 << 20) as f32 / (1 << 20) as f32)))
+        .map(|_| pixel((0..16).map(|_| chance.below(1 << 20) as f32 / (1 << 20) as f32)))
         .collect();
     let run = |color| {
         let amendments = Loop::B.amendments();
@@ -289,11 +289,11 @@ pub(crate) fn x19_sorted_surfaces_at_a_peel_depth_are_lost() {
 
 #[test]
 pub(crate) fn x20_unsorted_surfaces_on_the_opaque_surface_are_composited_in_every_iteration() {
-    let mut dice = Dice(20);
+    let mut chance = Chance::new(20);
     let pixels: Vec<Pixel> = half_sorted(random_image(12))
         .into_iter()
         .map(|pixel| {
-            let opaque = pixel[dice.below(6)].fragment.depth;
+            let opaque = pixel[chance.below(6)].fragment.depth;
             before(pixel, opaque)
         })
         .collect();

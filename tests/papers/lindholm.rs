@@ -9,6 +9,8 @@ use onionskin::low_level::steps::Amendment;
 use onionskin::low_level::steps::pseudo::list::ListLine;
 use onionskin::{Fragment, Rgba};
 
+use crate::kit::chance::Chance;
+
 /// As printed, with a condition that ends it (erratum L3).
 const PRINTED: [Amendment<ListLine>; 1] = [STOP];
 /// As the text beside the pseudocode says, likewise.
@@ -45,21 +47,9 @@ fn peel(depths: &[u32], n: u32, amendments: &[Amendment<ListLine>]) -> Peeled {
     }
 }
 
-/// Numbers that look random and are the same on every run.
-struct Chance(u64);
-
-impl Chance {
-    fn below(&mut self, n: u32) -> u32 {
-        self.0 = self
-            .0
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
-        ((self.0 >> 33) % u64::from(n)) as u32
-    }
-
-    fn depths(&mut self, count: usize, levels: u32) -> Vec<u32> {
-        (0..count).map(|_| 1 + self.below(levels)).collect()
-    }
+fn depths(chance: &mut Chance, count: usize, levels: u32) -> Vec<u32> {
+    let depth = |_| 1 + chance.below(levels as usize) as u32;
+    (0..count).map(depth).collect()
 }
 
 /// Every list of up to six fragments on three depths, with depth 0 among them, and every buffer: nothing is lost, and the
@@ -86,9 +76,9 @@ fn l13_amended_peeling_is_a_stable_sort_of_every_small_list() {
 #[test]
 fn l13_printed_peeling_loses_coplanar_fragments() {
     assert_eq!(peel(&[5; 20], 8, &PRINTED).lost, 12);
-    let mut chance = Chance(1);
+    let mut chance = Chance::new(1);
     let share = |chance: &mut Chance, levels| {
-        let lists = (0..3000).map(|_| chance.depths(24, levels));
+        let lists = (0..3000).map(|_| depths(chance, 24, levels));
         lists
             .filter(|depths| peel(depths, 8, &PRINTED).lost > 0)
             .count()
@@ -117,8 +107,8 @@ fn l12_resolving_n_minus_1_but_going_on_from_the_nth_loses_one_a_pass() {
 /// Erratum L3. "Until all fragments are resolved", read as a count, never holds once a tie is lost.
 #[test]
 fn l13_a_loop_that_waits_for_a_lost_tie_never_ends() {
-    let mut chance = Chance(2);
-    let lists: Vec<_> = (0..500).map(|_| chance.depths(24, 64)).collect();
+    let mut chance = Chance::new(2);
+    let lists: Vec<_> = (0..500).map(|_| depths(&mut chance, 24, 64)).collect();
     // Without another condition it waits for what it has lost: it is left after so many subpasses.
     let never = |depths: &&Vec<u32>| !peel(depths, 8, &[]).ended;
     let endless = lists.iter().filter(never).count();

@@ -2,6 +2,7 @@
 //! Where there is no mistake, none may be reported.
 
 use proptest::prelude::*;
+use rand_pcg::Pcg32;
 
 use super::*;
 use crate::fragment::Rgba;
@@ -12,13 +13,8 @@ const SIZE: [u32; 2] = [40, 30];
 
 /// A picture without symmetry. A third of it is background, and the rest has colours that are nowhere grey.
 fn exact(seed: u64) -> Image {
-    let mut state = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1;
-    let mut unit = move || {
-        state ^= state << 13;
-        state ^= state >> 7;
-        state ^= state << 17;
-        (state >> 40) as f32 / (1 << 24) as f32
-    };
+    let mut chance = Pcg32::new(seed, 54);
+    let mut unit = move || (chance.next_u32() >> 8) as f32 / (1 << 24) as f32;
     let mut image = Image::filled(SIZE[0], SIZE[1], Rgba::opaque(BACKGROUND));
     for pixel in image.pixels.iter_mut().skip(400) {
         *pixel = Rgba::opaque([unit() * 0.3, 0.35 + unit() * 0.3, 0.7 + unit() * 0.3]);
