@@ -4,6 +4,8 @@ use std::collections::BTreeSet;
 
 use glow::HasContext;
 
+use super::quirks::Quirks;
+
 /// A driver's description of itself.
 #[derive(Clone, Debug)]
 pub struct Driver {
@@ -137,6 +139,11 @@ impl Driver {
     /// The largest width and height of an image.
     pub fn largest_image(&self) -> u32 {
         u32::try_from(self.limit("GL_MAX_TEXTURE_SIZE")).unwrap_or(0)
+    }
+
+    /// What it does otherwise than others, by its name.
+    pub fn quirks(&self) -> Quirks {
+        Quirks::of(&self.renderer, &self.version_text)
     }
 
     /// Whether the driver names an extension.

@@ -131,10 +131,10 @@ fn every_static(array: u32, pp_ao: &[bool]) -> Vec<ABufferOptions> {
     all
 }
 
-/// With atomics fragments come as the driver runs them, and only llvmpipe is known to run a pixel's in their order.
+/// With atomics fragments come as the driver runs them, and few are known to run a pixel's in their order.
 fn comes_in_order(context: &Context, fill: Fill) -> bool {
     let driver = context.driver();
-    driver.renderer.contains("llvmpipe")
+    driver.quirks().runs_in_order
         || fill == Fill::Automatic && driver.has("GL_EXT_shader_framebuffer_fetch")
 }
 

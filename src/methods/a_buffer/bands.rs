@@ -4,7 +4,7 @@
 
 use super::options::{ABufferOptions, Fill, Manager};
 use crate::error::{Error, Result};
-use crate::gl::GlMachine;
+use crate::gl::{GlMachine, Quirks};
 
 /// A band: rows that are rendered together, and the memory of their lists.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -45,41 +45,35 @@ impl Band {
 
 /// The memory that the lists may take.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Room {
-    /// The bytes of all lists of a band together with `beside`. An image with a single row that needs more is refused.
+pub struct Budget {
+    /// The most bytes, of a band's lists and of what is `fixed` together. An image with a single row that needs more is
+    /// refused.
     pub bytes: u64,
-    /// The bytes that do not depend on the band: the base offsets of the whole image's pixels, or the pool's counter.
-    pub beside: u64,
+    /// The bytes that no choice of bands changes: the base offsets of the whole image's pixels, or the pool's counter.
+    pub fixed: u64,
     /// The most records of a band, which are all in one buffer. As for `bytes`, more are refused.
     pub records: u64,
-    /// The most bytes of a band with more than one row.
-    pub quick: u64,
+    /// The bytes that the lists of a band with more than one row do not exceed, because larger bands are slower.
+    pub preferred_band: u64,
 }
 
-impl Room {
-    /// The bytes beside the lists of an image of so many pixels. An automatic fill counts as an ordered one.
-    pub fn beside(options: &ABufferOptions, pixels: u64) -> u64 {
-        match (options.manager, options.fill) {
-            (Manager::Ffb, _) => 0,
-            (Manager::Ppll, Fill::Atomics) => 16,
-            (Manager::Dfb | Manager::Ppll, _) => GlMachine::scan_bytes(pixels),
-        }
+/// The [`fixed`](Budget::fixed) bytes for an image of so many pixels. An automatic fill counts as an ordered one.
+pub(super) fn fixed(options: &ABufferOptions, pixels: u64) -> u64 {
+    match (options.manager, options.fill) {
+        (Manager::Ffb, _) => 0,
+        (Manager::Ppll, Fill::Atomics) => 16,
+        (Manager::Dfb | Manager::Ppll, _) => GlMachine::scan_bytes(pixels),
     }
+}
 
-    /// The bytes of bands that a rasteriser on the CPU renders quickly.
-    ///
-    /// Llvmpipe bins all triangles of a band, then draws tile by tile; with lists of 8 MiB, the part that a tile needs
-    /// stays in a core's cache. On 64 quads that took three quarters of the time that 128 MiB took. But every band
-    /// processes the whole geometry again. With 128 fragments per triangle that is well worth it, and with fewer
-    /// fragments the bands are larger.
-    pub fn quick(renderer: &str, triangles: u64, record_bytes: u64) -> u64 {
-        const CACHED: u64 = 8 << 20;
-        const FRAGMENTS_PER_TRIANGLE: u64 = 128;
-        match renderer.contains("llvmpipe") {
-            true => CACHED.max(FRAGMENTS_PER_TRIANGLE * triangles * record_bytes),
-            false => u64::MAX,
-        }
-    }
+/// The bytes of a [`preferred_band`](Budget::preferred_band): as many as stay in the driver's cache, if it has one for
+/// lists. But every band processes the whole geometry again. With 128 fragments per triangle that is well worth it, and
+/// with fewer fragments the bands are larger.
+pub(super) fn preferred(quirks: Quirks, triangles: u64, record_bytes: u64) -> u64 {
+    const FRAGMENTS_PER_TRIANGLE: u64 = 128;
+    let worth_it = FRAGMENTS_PER_TRIANGLE * triangles * record_bytes;
+    let cached = quirks.cached_bytes;
+    cached.map_or(u64::MAX, |cached| cached.max(worth_it))
 }
 
 /// Cuts an image into as few bands as possible. `counts` are the pixels' complexities, row by row from the bottom.
@@ -90,15 +84,15 @@ pub fn bands(
     counts: &[u32],
     width: u32,
     options: &ABufferOptions,
-    room: Room,
+    budget: Budget,
 ) -> Result<Vec<Band>> {
     // Without a fragment, nothing is allocated.
     let fits = |band: &Band| {
         band.fragments == 0
-            || band.bytes(options, width).saturating_add(room.beside) <= room.bytes
-                && band.records(options.manager, width) <= room.records
+            || band.bytes(options, width).saturating_add(budget.fixed) <= budget.bytes
+                && band.records(options.manager, width) <= budget.records
     };
-    let is_quick = |band: &Band| band.bytes(options, width) <= room.quick;
+    let is_preferred = |band: &Band| band.bytes(options, width) <= budget.preferred_band;
     let mut bands: Vec<Band> = Vec::new();
     for (row, counts) in counts.chunks_exact(width as usize).enumerate() {
         let row = Band {
@@ -108,10 +102,10 @@ pub fn bands(
             fragments: counts.iter().copied().map(u64::from).sum(),
         };
         if !fits(&row) {
-            return Err(too_large(&row, width, options, room));
+            return Err(too_large(&row, width, options, budget));
         }
         match bands.last_mut() {
-            Some(band) if fits(&band.with(row)) && is_quick(&band.with(row)) => {
+            Some(band) if fits(&band.with(row)) && is_preferred(&band.with(row)) => {
                 *band = band.with(row);
             }
             _ => bands.push(row),
@@ -126,7 +120,7 @@ pub(super) fn deepest(counts: &[u32]) -> u32 {
     counts.iter().copied().fold(0, u32::max)
 }
 
-fn too_large(row: &Band, width: u32, options: &ABufferOptions, room: Room) -> Error {
+fn too_large(row: &Band, width: u32, options: &ABufferOptions, budget: Budget) -> Error {
     let what = format!(
         "the fragment lists of one row of {width} pixels need {} records of {} bytes, {} bytes in all ({} fragments, {} \
          in the deepest pixel), and {} bytes beside them for the whole image; there is room for {} records and {} \
@@ -136,12 +130,12 @@ fn too_large(row: &Band, width: u32, options: &ABufferOptions, room: Room) -> Er
         row.bytes(options, width),
         row.fragments,
         row.layers,
-        room.beside,
-        room.records,
-        room.bytes,
+        budget.fixed,
+        budget.records,
+        budget.bytes,
     );
     let remedy = match options.manager {
-        Manager::Dfb | Manager::Ppll if room.beside > room.bytes / 2 => {
+        Manager::Dfb | Manager::Ppll if budget.fixed > budget.bytes / 2 => {
             "give it a larger budget, or use ffb, which needs nothing beside the lists"
         }
         Manager::Ffb => {
@@ -154,13 +148,16 @@ fn too_large(row: &Band, width: u32, options: &ABufferOptions, room: Room) -> Er
 
 #[cfg(test)]
 mod tests {
+    use rand::Rng;
+    use rand_pcg::Pcg32;
+
     use super::*;
 
-    const NO_LIMIT: Room = Room {
+    const NO_LIMIT: Budget = Budget {
         bytes: u64::MAX,
-        beside: 0,
+        fixed: 0,
         records: u64::MAX,
-        quick: u64::MAX,
+        preferred_band: u64::MAX,
     };
 
     fn options(manager: Manager) -> ABufferOptions {
@@ -194,24 +191,24 @@ mod tests {
     /// the next row.
     #[test]
     fn bands_fit_and_are_as_few_as_can_be() {
-        let mut state = 1_u32;
-        let mut random = move || {
-            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-            state >> 16
-        };
+        let mut chance = Pcg32::new(1, 54);
+        let mut random = move || chance.next_u32();
         for manager in [Manager::Ffb, Manager::Dfb, Manager::Ppll] {
             let options = options(manager);
             for _ in 0..200 {
                 let (width, rows) = (1 + random() % 7, 1 + random() % 9);
                 let counts: Vec<u32> = (0..width * rows).map(|_| random() % 5).collect();
-                let room = Room {
+                let budget = Budget {
                     bytes: 700 + u64::from(random() % 2000),
-                    beside: u64::from(random() % 500),
+                    fixed: u64::from(random() % 500),
                     ..NO_LIMIT
                 };
-                let Ok(bands) = bands(&counts, width, &options, room) else {
-                    let row = 4 * u64::from(width) * options.record_bytes() + room.beside;
-                    assert!(row > room.bytes, "{manager:?} {width} {room:?}: refused");
+                let Ok(bands) = bands(&counts, width, &options, budget) else {
+                    let row = 4 * u64::from(width) * options.record_bytes() + budget.fixed;
+                    assert!(
+                        row > budget.bytes,
+                        "{manager:?} {width} {budget:?}: refused"
+                    );
                     continue;
                 };
                 let mut next = 0;
@@ -219,7 +216,7 @@ mod tests {
                     assert_eq!(band.first_row, next);
                     assert!(
                         band.fragments == 0
-                            || band.bytes(&options, width) + room.beside <= room.bytes
+                            || band.bytes(&options, width) + budget.fixed <= budget.bytes
                     );
                     next += band.rows;
                 }
@@ -236,7 +233,7 @@ mod tests {
                 };
                 for pair in bands.windows(2) {
                     let longer = pair[0].with(first_row_of(&pair[1]));
-                    assert!(longer.bytes(&options, width) + room.beside > room.bytes);
+                    assert!(longer.bytes(&options, width) + budget.fixed > budget.bytes);
                 }
             }
         }
@@ -244,30 +241,32 @@ mod tests {
 
     #[test]
     fn a_row_is_not_refused_for_being_slow() {
-        let room = Room {
-            quick: 300,
+        let budget = Budget {
+            preferred_band: 300,
             ..NO_LIMIT
         };
         let counts = [0, 9, 9, 9, 0, 1, 1, 1];
-        let bands = bands(&counts, 2, &options(Manager::Ffb), room).unwrap();
+        let bands = bands(&counts, 2, &options(Manager::Ffb), budget).unwrap();
         let rows: Vec<_> = bands.iter().map(|band| band.rows).collect();
         assert_eq!(rows, [1, 1, 2]);
     }
 
     #[test]
     fn few_triangles_come_in_many_bands_and_many_in_few() {
-        assert_eq!(Room::quick("llvmpipe (LLVM 15)", 128, 16), 8 << 20);
-        assert_eq!(Room::quick("llvmpipe (LLVM 15)", 100_000, 16), 204_800_000);
-        assert_eq!(Room::quick("a GPU", 128, 16), u64::MAX);
+        let mut on_tiles = Quirks::default();
+        on_tiles.cached_bytes = Some(8 << 20);
+        assert_eq!(preferred(on_tiles, 128, 16), 8 << 20);
+        assert_eq!(preferred(on_tiles, 100_000, 16), 204_800_000);
+        assert_eq!(preferred(Quirks::default(), 128, 16), u64::MAX);
     }
 
     #[test]
     fn a_row_that_does_not_fit_is_refused_with_the_numbers() {
-        let room = Room {
+        let budget = Budget {
             bytes: 100,
             ..NO_LIMIT
         };
-        let refused = bands(&[0, 9], 2, &options(Manager::Ffb), room).unwrap_err();
+        let refused = bands(&[0, 9], 2, &options(Manager::Ffb), budget).unwrap_err();
         let text = refused.to_string();
         for part in ["288 bytes", "9 in the deepest pixel", "100 bytes", "dfb"] {
             assert!(text.contains(part), "{part}: {text}");
@@ -276,11 +275,11 @@ mod tests {
 
     #[test]
     fn an_image_without_fragments_fits_everywhere() {
-        let nowhere = Room {
+        let nowhere = Budget {
             bytes: 1,
-            beside: 4080,
+            fixed: 4080,
             records: 0,
-            quick: 1,
+            preferred_band: 1,
         };
         for manager in [Manager::Ffb, Manager::Dfb, Manager::Ppll] {
             assert_eq!(
@@ -293,12 +292,12 @@ mod tests {
     #[test]
     fn base_offsets_that_take_the_budget_are_named() {
         let dynamic = options(Manager::Dfb);
-        let room = Room {
+        let budget = Budget {
             bytes: 3000,
-            beside: Room::beside(&dynamic, 1000),
+            fixed: fixed(&dynamic, 1000),
             ..NO_LIMIT
         };
-        let text = bands(&[0, 9], 2, &dynamic, room).unwrap_err().to_string();
+        let text = bands(&[0, 9], 2, &dynamic, budget).unwrap_err().to_string();
         // 1000 offsets, 16 sums of 64, and the sum of all in what a buffer has at least.
         for part in ["4080 bytes beside", "3000 bytes", "ffb"] {
             assert!(text.contains(part), "{part}: {text}");

@@ -1,11 +1,12 @@
-//! A limit of llvmpipe for resolves: all loops of a shader invocation together end after 65535 iterations, silently
-//! (Mesa 22.3 to 25, `LP_MAX_TGSI_LOOP_ITERATIONS`). A pixel that reached the limit would lose fragments.
+//! Resolves on drivers that end a shader's loops early ([`Quirks::loop_limit`]). A pixel that reached the limit would lose
+//! fragments.
 
 use crate::error::{Error, Result};
+use crate::gl::{LoopLimit, Quirks};
 use crate::scene::Volume;
 
-/// The limit, with a reserve for iterations that are not counted here.
-const ITERATIONS: u64 = 60_000;
+/// For iterations that are not counted here.
+const RESERVE: u64 = 5_535;
 /// Records that ppDP takes in one iteration (`pp_dp.glsl`).
 const STRIDE: u64 = 4;
 /// The largest array of ppDP.
@@ -17,15 +18,15 @@ const INSERTION: u32 = 200;
 ///
 /// # Errors
 /// If no array is large enough.
-pub(super) fn peel_that_fits(renderer: &str, peel: u32, complexity: u32) -> Result<u32> {
-    if !is_limited(renderer) {
+pub(super) fn peel_that_fits(quirks: Quirks, peel: u32, complexity: u32) -> Result<u32> {
+    let Some(limit) = quirks.loop_limit else {
         return Ok(peel);
-    }
+    };
     let fits = |peel: u32| {
         let (peel, complexity) = (u64::from(peel), u64::from(complexity));
         let subpasses = complexity.div_ceil(peel);
         // The list, and clearing and resolving the array.
-        subpasses * (complexity.div_ceil(STRIDE) + 2 * peel) <= ITERATIONS
+        subpasses * (complexity.div_ceil(STRIDE) + 2 * peel) <= most(limit)
     };
     let larger = [16, 32, LARGEST_PEEL].into_iter().filter(|&n| n > peel);
     std::iter::once(peel)
@@ -33,8 +34,8 @@ pub(super) fn peel_that_fits(renderer: &str, peel: u32, complexity: u32) -> Resu
         .find(|&peel| fits(peel))
         .ok_or_else(|| Error::Driver {
             what: format!(
-                "a pixel has {complexity} fragments, and this driver ({renderer}) ends a shader's loops after 65535 \
-                 iterations"
+                "a pixel has {complexity} fragments, and this driver ends a shader's loops after {} iterations",
+                limit.iterations
             ),
             remedy: "peel its layers instead (depth-peeling), or render on another driver"
                 .into(),
@@ -42,31 +43,38 @@ pub(super) fn peel_that_fits(renderer: &str, peel: u32, complexity: u32) -> Resu
 }
 
 /// Whether ppDP may insert with a loop.
-pub(super) fn insertion_fits(renderer: &str, complexity: u32) -> bool {
-    !is_limited(renderer) || complexity <= INSERTION
+pub(super) fn insertion_fits(quirks: Quirks, complexity: u32) -> bool {
+    quirks.loop_limit.is_none() || complexity <= INSERTION
 }
 
 /// Whether a static array of `array` elements may keep the nearest of so many fragments by insertion with a loop, which in
 /// the worst order moves all of its elements for each fragment.
-pub(super) fn keeping_by_insertion_fits(renderer: &str, array: u32, complexity: u32) -> bool {
+pub(super) fn keeping_by_insertion_fits(quirks: Quirks, array: u32, complexity: u32) -> bool {
     let (array, complexity) = (u64::from(array), u64::from(complexity));
     let moved = complexity.saturating_sub(array) * (array + 1);
-    !is_limited(renderer) || sorting(array) + moved + 2 * array <= ITERATIONS
+    let iterations = sorting(array) + moved + 2 * array;
+    quirks
+        .loop_limit
+        .is_none_or(|limit| iterations <= most(limit))
 }
 
 /// Checks that it may keep them at all: a loop walks the list, and a loop sorts the largest arrays.
 ///
 /// # Errors
 /// If the list is too long.
-pub(super) fn expect_keeping_fits(renderer: &str, array: u32, complexity: u32) -> Result<()> {
+pub(super) fn expect_keeping_fits(quirks: Quirks, array: u32, complexity: u32) -> Result<()> {
+    let Some(limit) = quirks.loop_limit else {
+        return Ok(());
+    };
     let iterations = sorting(u64::from(array)) + u64::from(complexity) + 2 * u64::from(array);
-    if !is_limited(renderer) || complexity <= array || iterations <= ITERATIONS {
+    if complexity <= array || iterations <= most(limit) {
         return Ok(());
     }
     Err(Error::Driver {
         what: format!(
-            "the nearest of a pixel's {complexity} fragments are not to be found: this driver ({renderer}) ends a shader's \
-             loops after 65535 iterations"
+            "the nearest of a pixel's {complexity} fragments are not to be found: this driver ends a shader's loops \
+             after {} iterations",
+            limit.iterations
         ),
         remedy: "keep the first of each list instead, or peel the layers (depth-peeling)".into(),
     })
@@ -77,15 +85,15 @@ const fn sorting(array: u64) -> u64 {
     array * array / 2
 }
 
-/// The number of pixels that llvmpipe shades at a time. They share one loop, which goes on as long as any of them does.
-/// In the worst case no two of them sample at the same time.
-const TOGETHER: f64 = 8.0;
-
-/// Checks that the volumes of a scene can be sampled along every ray.
+/// Checks that the volumes of a scene can be sampled along every ray. In the worst case, no two of the pixels that are
+/// shaded together sample at the same time.
 ///
 /// # Errors
 /// If a ray through all of them, from corner to corner, would take too many samples.
-pub(super) fn expect_samples_fit(renderer: &str, volumes: &[Volume]) -> Result<()> {
+pub(super) fn expect_samples_fit(quirks: Quirks, volumes: &[Volume]) -> Result<()> {
+    let Some(limit) = quirks.loop_limit else {
+        return Ok(());
+    };
     let steps = volumes.iter().map(Volume::sampling_distance);
     let Some(step) = steps.reduce(f64::min) else {
         return Ok(());
@@ -96,47 +104,56 @@ pub(super) fn expect_samples_fit(renderer: &str, volumes: &[Volume]) -> Result<(
         diagonals.fold(0.0, f64::max)
     };
     let samples = (volumes.iter().map(longest).sum::<f64>() / step).ceil();
-    if !is_limited(renderer) || samples * TOGETHER <= ITERATIONS as f64 {
+    let LoopLimit { iterations, pixels } = limit;
+    if samples * pixels as f64 <= most(limit) as f64 {
         return Ok(());
     }
     Err(Error::Driver {
         what: format!(
-            "a ray may take {samples} samples in the volumes, and this driver ({renderer}) ends the loops of the \
-             {TOGETHER} pixels that it shades together after 65535 iterations"
+            "a ray may take {samples} samples in the volumes, and this driver ends the loops of the {pixels} pixels \
+             that it shades together after {iterations} iterations"
         ),
         remedy: "give the volumes a larger step, or render with the method exact".into(),
     })
 }
 
-/// Whether the Local Array's keys are doubles, which llvmpipe compares faster than two words. NVIDIA's driver gets some of
-/// them wrong (`glsl/a_buffer/local_array.glsl`).
-pub(super) fn has_quick_doubles(renderer: &str) -> bool {
-    renderer.contains("llvmpipe")
-}
-
-fn is_limited(renderer: &str) -> bool {
-    renderer.contains("llvmpipe")
+fn most(limit: LoopLimit) -> u64 {
+    limit.iterations.saturating_sub(RESERVE)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    /// Llvmpipe's.
+    fn limited() -> Quirks {
+        let mut quirks = Quirks::default();
+        quirks.loop_limit = Some(LoopLimit {
+            iterations: 65_535,
+            pixels: 8,
+        });
+        quirks
+    }
+
+    fn unlimited() -> Quirks {
+        Quirks::default()
+    }
+
     #[test]
     fn the_array_grows_only_where_the_driver_needs_it() {
-        let peel = |complexity| peel_that_fits("llvmpipe (LLVM 15)", 8, complexity).unwrap();
+        let peel = |complexity| peel_that_fits(limited(), 8, complexity).unwrap();
         assert_eq!([8, 300, 1000, 2000, 3500].map(peel), [8, 8, 8, 32, 64]);
-        assert_eq!(peel_that_fits("a GPU", 8, 1_000_000).unwrap(), 8);
-        assert!(peel_that_fits("llvmpipe", 8, 10_000).is_err());
+        assert_eq!(peel_that_fits(unlimited(), 8, 1_000_000).unwrap(), 8);
+        assert!(peel_that_fits(limited(), 8, 10_000).is_err());
     }
 
     #[test]
     fn the_nearest_are_kept_by_insertion_only_where_the_driver_has_the_iterations() {
-        let fits = |array, complexity| keeping_by_insertion_fits("llvmpipe", array, complexity);
+        let fits = |array, complexity| keeping_by_insertion_fits(limited(), array, complexity);
         assert!(fits(64, 64) && fits(256, 256) && fits(64, 800) && fits(8, 6_000));
         assert!(!fits(64, 1_000) && !fits(256, 500) && !fits(8, 8_000));
-        assert!(keeping_by_insertion_fits("a GPU", 64, 1_000_000));
-        let whole = |array, complexity| expect_keeping_fits("llvmpipe", array, complexity).is_ok();
+        assert!(keeping_by_insertion_fits(unlimited(), 64, 1_000_000));
+        let whole = |array, complexity| expect_keeping_fits(limited(), array, complexity).is_ok();
         assert!(
             whole(64, 50_000) && whole(256, 20_000) && !whole(256, 30_000) && !whole(8, 60_000)
         );

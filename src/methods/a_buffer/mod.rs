@@ -28,7 +28,7 @@ mod options;
 
 pub(super) use counting::expect_stencil;
 
-use bands::{Band, Room, bands};
+use bands::{Band, Budget, bands, fixed, preferred};
 pub use options::{ABufferOptions, ArraySort, Fill, Keep, LARGEST_NETWORK, Manager, RecordColor};
 
 use array_sort::inserts;
@@ -82,19 +82,20 @@ impl ABuffer {
                 .has("GL_EXT_shader_framebuffer_fetch")
     }
 
-    fn room(&self, machine: &GlMachine<'_>, scene: &Scene) -> Room {
+    fn budget(&self, machine: &GlMachine<'_>, scene: &Scene) -> Budget {
         let record = self.options.color.record_bytes();
         let largest = largest_storage(machine.context(), Texels::Rgba32Ui) / record;
         let links = largest_storage(machine.context(), Texels::R32Ui) / 4;
-        let renderer = &machine.context().driver().renderer;
+        let quirks = machine.context().driver().quirks();
         let triangles = scene.triangle_count() as u64;
-        let quick = || Room::quick(renderer, triangles, self.options.record_bytes());
         let [width, height] = machine.size();
-        Room {
-            bytes: self.options.budget.unwrap_or(u64::MAX),
-            beside: Room::beside(&self.options, u64::from(width) * u64::from(height)),
+        let bytes = self.options.budget;
+        Budget {
+            bytes: bytes.unwrap_or(u64::MAX),
+            fixed: fixed(&self.options, u64::from(width) * u64::from(height)),
             records: largest.min(links),
-            quick: self.options.budget.unwrap_or_else(quick),
+            preferred_band: bytes
+                .unwrap_or_else(|| preferred(quirks, triangles, self.options.record_bytes())),
         }
     }
 
@@ -117,7 +118,7 @@ impl ABuffer {
             ("OFFSETS", yes(options.has_offsets())),
             // Ordered fragments leave lists in the order of submission.
             ("IN_ORDER", yes(self.ordered(machine))),
-            ("KEYS_AS_DOUBLES", yes(loops::has_quick_doubles(renderer))),
+            ("KEYS_AS_DOUBLES", yes(quirks.quick_doubles)),
             ("FLOAT_COLOR", yes(options.color == RecordColor::Float)),
             ("TERMINATION", options.termination.to_bits()),
             ("AS_PRINTED", yes(options.as_printed)),
@@ -140,8 +141,8 @@ impl Algorithm for ABuffer {
         if self.options.as_printed && self.options.pp_ao {
             expect_stencil(machine)?;
         }
-        let renderer = &machine.context().driver().renderer;
-        loops::expect_samples_fit(renderer, &scene.volumes)?;
+        let quirks = machine.context().driver().quirks();
+        loops::expect_samples_fit(quirks, &scene.volumes)?;
         self.volumes = machine.upload_volumes(scene)?;
         if self.options.fill == Fill::Ordered && !self.ordered(machine) {
             return Err(Error::Driver {
@@ -187,8 +188,8 @@ impl Algorithm for ABuffer {
         }
         self.complexity = self.count(machine, proxies)?;
         let width = machine.size()[0];
-        let room = self.room(machine, scene);
-        let bands = bands(&self.complexity, width, &self.options, room)?;
+        let budget = self.budget(machine, scene);
+        let bands = bands(&self.complexity, width, &self.options, budget)?;
         if !scene.volumes.is_empty() {
             run(&paper::OPAQUE_ENDS_RAYS, &[], Variables::new(), machine)?;
             machine.bind_volumes()?;
@@ -204,7 +205,7 @@ impl Algorithm for ABuffer {
         };
         if self.layers > 0 {
             let bytes = bands.iter().map(|band| band.bytes(&self.options, width));
-            self.counts.list_bytes = bytes.max().unwrap_or(0) + room.beside;
+            self.counts.list_bytes = bytes.max().unwrap_or(0) + budget.fixed;
             self.allocate_lists(machine, &bands)?;
         }
         let mut fragments_before = 0;
@@ -259,14 +260,14 @@ impl ABuffer {
         proxies: &[Amendment],
     ) -> Result<()> {
         let options = &self.options;
-        let renderer = &machine.context().driver().renderer;
+        let quirks = machine.context().driver().quirks();
         let array = options.array;
         let insertion = self.inserts
-            && (!options.pp_dp || loops::insertion_fits(renderer, band.layers))
+            && (!options.pp_dp || loops::insertion_fits(quirks, band.layers))
             && (options.keep == Keep::First
-                || loops::keeping_by_insertion_fits(renderer, array, band.layers));
+                || loops::keeping_by_insertion_fits(quirks, array, band.layers));
         if options.keep == Keep::Nearest {
-            loops::expect_keeping_fits(renderer, array, band.layers)?;
+            loops::expect_keeping_fits(quirks, array, band.layers)?;
         }
         machine.set_defines(&self.defines(machine, insertion));
         let mut fill = Vec::new();
@@ -288,13 +289,13 @@ impl ABuffer {
     /// Resolves a band whose deepest pixel has `layers` fragments.
     fn resolve(&mut self, machine: &mut GlMachine<'_>, layers: u32) -> Result<()> {
         let options = &self.options;
-        let renderer = &machine.context().driver().renderer;
+        let quirks = machine.context().driver().quirks();
         let mut peel = options.peel;
         if options.pp_dp {
-            peel = loops::peel_that_fits(renderer, peel, layers)?;
+            peel = loops::peel_that_fits(quirks, peel, layers)?;
             if options.pp_ao {
                 // The last segment peels with the largest array there is.
-                loops::peel_that_fits(renderer, options.array, layers)?;
+                loops::peel_that_fits(quirks, options.array, layers)?;
             }
         }
         let variables = Variables::new();
