@@ -137,12 +137,10 @@ impl Emulator {
     }
 
     fn plane(&self, map: Map) -> Result<usize> {
-        self.names
-            .get(&map)
-            .copied()
-            .ok_or_else(|| Error::UnknownMap {
-                map: map.to_string(),
-            })
+        self.names.get(&map).copied().ok_or_else(|| {
+            let allocated = self.names.keys().map(Map::to_string);
+            Error::unknown_map(map.to_string(), allocated)
+        })
     }
 
     fn attached(&self) -> Result<Attached> {

@@ -23,12 +23,10 @@ impl Maps {
     }
 
     pub(super) fn get(&self, map: Map) -> Result<Texture> {
-        self.textures
-            .get(&map)
-            .copied()
-            .ok_or_else(|| Error::UnknownMap {
-                map: map.to_string(),
-            })
+        self.textures.get(&map).copied().ok_or_else(|| {
+            let allocated = self.textures.keys().map(Map::to_string);
+            Error::unknown_map(map.to_string(), allocated)
+        })
     }
 
     /// Makes a map, unless it is there in this format.

@@ -218,12 +218,10 @@ impl Storages {
     }
 
     fn get(&self, storage: Storage) -> Result<StorageBuffer> {
-        self.0
-            .get(&storage)
-            .copied()
-            .ok_or_else(|| Error::UnknownBuffer {
-                buffer: storage.0.into(),
-            })
+        self.0.get(&storage).copied().ok_or_else(|| {
+            let allocated = self.0.keys().map(|storage| storage.0.into());
+            Error::unknown_buffer(storage.0.into(), allocated)
+        })
     }
 
     pub(super) fn bytes(&self) -> u64 {

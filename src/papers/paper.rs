@@ -13,7 +13,8 @@ pub struct Paper {
     pub citation: &'static str,
     /// The paper's printed texts, each with its name on the command line.
     pub texts: &'static [(&'static str, Text)],
-    /// The resources that its listings take for granted.
+    /// The resources that its listings take for granted, all of them together. A method that runs one of them allocates
+    /// what that one needs, and a name that is missing then is refused.
     pub resources: &'static [&'static Resources],
     /// What it claims, in its order.
     pub claims: &'static [Claim],

@@ -54,6 +54,11 @@ pub struct Outcome {
 
 /// Runs a listing on a machine. The amendments hold in it and in every listing that it runs.
 ///
+/// Names are not checked beforehand, because only its caller knows what the machine has been given. A machine refuses a map,
+/// a buffer or a shader that it does not have when it comes to it, and says which was probably meant; a framebuffer's maps
+/// may be attached later, so a misspelt one is only noticed when something is drawn. [`check`](super::check) looks at every
+/// name in every branch before anything runs; methods do so with a user's amendments.
+///
 /// # Errors
 /// The machine's errors, or an error if a variable is read before it is set.
 pub fn run(

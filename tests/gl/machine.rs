@@ -1,7 +1,10 @@
 //! What the machine refuses, and how it says so.
 
+use onionskin::low_level::emulator::Emulator;
 use onionskin::low_level::gl::GlMachine;
-use onionskin::low_level::steps::{Call, Machine, Map, Objects, Query, Shader, Target};
+use onionskin::low_level::steps::{
+    Call, Machine, Map, Objects, Query, Shader, Storage, Target, Workspace,
+};
 use onionskin::{Context, Error, Format};
 
 #[test]
@@ -84,6 +87,43 @@ fn a_listing_that_names_an_unknown_map_is_told_so() {
 }
 
 #[test]
+fn a_misspelt_map_or_buffer_is_refused_with_the_one_that_was_meant() {
+    let context = Context::headless().unwrap();
+    let mut machine = GlMachine::new(&context, [4, 4]).unwrap();
+    let texture = Map::named("opaque dpeth");
+    let bind = Call::BindTexture { texture };
+    let error = machine.perform(&bind).unwrap_err().to_string();
+    assert!(error.ends_with("Allocate it first."), "{error}");
+    for map in ["layer", "opaque depth"] {
+        let depth = Format::Depth32FStencil8;
+        machine.allocate(Map::named(map), depth).unwrap();
+    }
+    let error = machine.perform(&bind).unwrap_err();
+    assert!(matches!(error, Error::UnknownMap { .. }), "{error:?}");
+    let error = error.to_string();
+    assert!(error.contains("Did you mean 'opaque depth'?"), "{error}");
+    machine
+        .allocate_storage(Storage("records"), 16, None)
+        .unwrap();
+    let error = machine
+        .perform(&Call::BindStorage {
+            index: 0,
+            buffer: Storage("recrods"),
+        })
+        .unwrap_err();
+    assert!(matches!(error, Error::UnknownBuffer { .. }), "{error:?}");
+    let error = error.to_string();
+    assert!(error.contains("Did you mean 'records'?"), "{error}");
+    // The emulated pixel says the same.
+    let mut pixel = Emulator::new(vec![Vec::new()]);
+    pixel
+        .allocate(Map::named("opaque depth"), Format::Depth32FStencil8)
+        .unwrap();
+    let error = pixel.perform(&bind).unwrap_err().to_string();
+    assert!(error.contains("Did you mean 'opaque depth'?"), "{error}");
+}
+
+#[test]
 fn a_listing_that_draws_before_it_has_a_program_is_told_so() {
     let context = Context::headless().unwrap();
     let mut machine = GlMachine::new(&context, [4, 4]).unwrap();
@@ -125,7 +165,7 @@ fn a_shader_that_does_not_exist_is_named() {
     let mut machine = GlMachine::new(&context, [4, 4]).unwrap();
     let program = Shader("no such");
     let error = machine.perform(&Call::UseProgram { program }).unwrap_err();
-    assert!(error.to_string().contains("no such.frag"), "{error}");
+    assert!(error.to_string().contains("'no such'"), "{error}");
 }
 
 #[test]
