@@ -148,20 +148,22 @@ impl Animate {
         let progress = Progress::new(range.len() as u64, &format!("{name} by {method}"));
         let encoding = self.encoding.encoding();
         let mut rendered = 0;
-        for number in range {
-            if !folder.has(number) {
-                let scene = animation.frame(number)?;
-                if rendered == 0 {
-                    // The first frame compiles the shaders, which does not count as its time.
-                    renderer.render(&scene, method)?;
+        for span in animation.spans(range) {
+            let mut film = renderer.film(animation.frame(span.start)?, method);
+            for number in span {
+                if !folder.has(number) {
+                    let camera = animation.camera(number)?;
+                    if rendered == 0 {
+                        // The first frame compiles the shaders, which does not count as its time.
+                        film.frame(camera)?;
+                    }
+                    let (frame, complexity) = film.frame_and_count(camera, Default::default())?;
+                    let row = FrameRow::new(number, &frame.stats, &complexity);
+                    folder.add(number, &frame.image, encoding, &row.csv())?;
+                    rendered += 1;
                 }
-                let (frame, complexity) =
-                    renderer.render_and_count(&scene, method, Default::default())?;
-                let row = FrameRow::new(number, &frame.stats, &complexity);
-                folder.add(number, &frame.image, encoding, &row.csv())?;
-                rendered += 1;
+                progress.part_done();
             }
-            progress.part_done();
         }
         Ok(rendered)
     }

@@ -8,6 +8,7 @@ use super::bindings::{COLOR, NORMAL, POSITION};
 use super::context::Context;
 use super::making::Making;
 use super::program::Surfaces;
+use super::runs::{Ordered, PIECE, Run};
 use super::uploading::{Bound, fill};
 use super::window::window_of_transparent;
 use crate::error::{Error, Result};
@@ -19,7 +20,10 @@ use crate::steps::Objects;
 pub struct Geometry<'c> {
     context: &'c Context,
     meshes: Vec<Uploaded>,
-    draws: Vec<Run>,
+    /// The runs of each order.
+    orders: Vec<Vec<Run>>,
+    /// The order that is drawn.
+    order: usize,
     /// The place in the world to which drawn positions are relative: [`origin_of`].
     origin: DVec3,
     /// From positions relative to the origin to clip space.
@@ -33,36 +37,11 @@ pub struct Geometry<'c> {
     window: [i32; 4],
 }
 
-/// Triangles of one mesh that are drawn by one call: `count` indices from `first`.
-struct Run {
-    mesh: usize,
-    first: i32,
-    count: i32,
-    /// The place of its first triangle in the order of submission.
-    place: u32,
-}
-
-/// A large mesh is drawn in pieces of so many indices with a flush after each. A driver whose vertex stage and
-/// rasteriser run side by side, as llvmpipe's do, can then rasterise a piece while it transforms the next one.
-const PIECE: i32 = 3 * 10_000;
-
-impl Run {
-    fn pieces(&self) -> impl Iterator<Item = Self> + use<> {
-        let (mesh, start, place) = (self.mesh, self.first, self.place);
-        let end = start + self.count;
-        (start..end).step_by(PIECE as usize).map(move |first| Self {
-            mesh,
-            first,
-            count: PIECE.min(end - first),
-            place: place + (first - start) as u32 / 3,
-        })
-    }
-}
-
 /// The buffers from which the fixed functions draw.
 pub(super) struct Buffers {
     pub(super) vertices: glow::Buffer,
     pub(super) indices: glow::Buffer,
+    pub(super) first: i32,
     pub(super) count: i32,
 }
 
@@ -112,82 +91,93 @@ impl<'c> Geometry<'c> {
     pub fn upload(context: &'c Context, scene: &Scene, size: [u32; 2]) -> Result<Self> {
         let _bound = Bound::keep(context)?;
         let mut geometry = Self::empty(context, scene, size);
+        let mut runs = Vec::new();
         let mut place = 0;
-        for (number, mesh) in scene.meshes.iter().enumerate() {
-            geometry.meshes.push(Uploaded::new(
-                context.glow(),
-                mesh,
-                &mesh.triangles,
-                geometry.origin,
-            )?);
-            // `Uploaded::new` has checked that the count fits.
-            geometry.draws.push(Run {
-                mesh: number,
-                first: 0,
-                count: mesh.triangles.len() as i32 * 3,
-                place,
-            });
+        for mesh in &scene.meshes {
+            runs.push(geometry.add(mesh, &mesh.triangles, place)?);
             place += mesh.triangles.len() as u32;
         }
         for (number, volume) in scene.volumes.iter().enumerate() {
             let proxy = proxy(volume);
-            let mut uploaded =
-                Uploaded::new(context.glow(), &proxy, &proxy.triangles, geometry.origin)?;
-            uploaded.volume = Some(number as u32);
-            geometry.meshes.push(uploaded);
-            geometry.draws.push(Run {
-                mesh: geometry.meshes.len() - 1,
-                first: 0,
-                count: proxy.triangles.len() as i32 * 3,
-                place: 0,
-            });
+            let run = geometry.add(&proxy, &proxy.triangles, 0)?;
+            geometry.meshes[run.mesh].volume = Some(number as u32);
+            runs.push(run);
         }
+        geometry.orders = vec![runs];
         Ok(geometry)
     }
 
-    /// Uploads the scene's meshes, to be drawn in another order: each triangle as mesh and number.
+    /// Uploads the scene's meshes, to be drawn in other orders: each has its triangles as mesh and number, and need not
+    /// have all of them. The first order is drawn until
+    /// [`GlMachine::choose_order`](crate::gl::GlMachine::choose_order) chooses another.
     ///
     /// # Errors
     /// As [`Geometry::upload`].
-    pub fn upload_in_order(
+    pub fn upload_in_orders(
         context: &'c Context,
         scene: &Scene,
         size: [u32; 2],
-        order: &[[u32; 2]],
+        orders: &[Vec<[u32; 2]>],
     ) -> Result<Self> {
         let _bound = Bound::keep(context)?;
         let mut geometry = Self::empty(context, scene, size);
-        let mut triangles: Vec<Vec<[u32; 3]>> = vec![Vec::new(); scene.meshes.len()];
-        for (place, &[mesh, triangle]) in order.iter().enumerate() {
-            let mesh = mesh as usize;
-            let of_mesh = &mut triangles[mesh];
-            match geometry.draws.last_mut() {
-                Some(run) if run.mesh == mesh => run.count += 3,
-                _ => geometry.draws.push(Run {
-                    mesh,
-                    first: of_mesh.len() as i32 * 3,
-                    count: 3,
-                    place: place as u32,
-                }),
-            }
-            of_mesh.push(scene.meshes[mesh].triangles[triangle as usize]);
+        let ordered = Ordered::new(scene, orders);
+        for (mesh, triangles) in scene.meshes.iter().zip(&ordered.triangles) {
+            geometry.add(mesh, triangles, 0)?;
         }
-        for (mesh, triangles) in scene.meshes.iter().zip(&triangles) {
-            geometry.meshes.push(Uploaded::new(
-                context.glow(),
-                mesh,
-                triangles,
-                geometry.origin,
-            )?);
-        }
+        geometry.orders = ordered.runs;
         Ok(geometry)
+    }
+
+    /// Has the scene that was uploaded in orders drawn in others. Its vertices are not uploaded again.
+    pub(super) fn reorder(&mut self, scene: &Scene, orders: &[Vec<[u32; 2]>]) -> Result<()> {
+        let _bound = Bound::keep(self.context)?;
+        let ordered = Ordered::new(scene, orders);
+        let meshes = scene.meshes.iter().zip(&self.meshes);
+        for ((mesh, uploaded), triangles) in meshes.zip(&ordered.triangles) {
+            uploaded.fill_indices(self.context, mesh, triangles)?;
+        }
+        self.orders = ordered.runs;
+        self.order = 0;
+        Ok(())
+    }
+
+    /// Has the first order drawn.
+    pub(super) fn begin_frame(&mut self) {
+        self.order = 0;
+    }
+
+    /// Has an order drawn by its number. The first one is number 0.
+    pub(super) fn choose(&mut self, order: usize) -> Result<()> {
+        if order >= self.orders.len() {
+            return Err(Error::usage(
+                format!("order {order} is to be drawn, of {}", self.orders.len()),
+                "upload the scene in so many orders",
+            ));
+        }
+        self.order = order;
+        Ok(())
+    }
+
+    /// Adds a mesh, and returns the run of all of its triangles.
+    fn add(&mut self, mesh: &Mesh, triangles: &[[u32; 3]], place: u32) -> Result<Run> {
+        let uploaded = Uploaded::new(self.context, mesh, triangles, self.origin)?;
+        self.meshes.push(uploaded);
+        Ok(Run {
+            mesh: self.meshes.len() - 1,
+            first: 0,
+            // `Uploaded::new` has checked that the count fits.
+            count: triangles.len() as i32 * 3,
+            place,
+        })
     }
 
     fn empty(context: &'c Context, scene: &Scene, size: [u32; 2]) -> Self {
         let mut geometry = Self {
             context,
             meshes: Vec::with_capacity(scene.meshes.len()),
-            draws: Vec::new(),
+            orders: vec![Vec::new()],
+            order: 0,
             origin: origin_of(scene),
             view_projection: Mat4::IDENTITY,
             view: DMat4::IDENTITY,
@@ -228,11 +218,13 @@ impl<'c> Geometry<'c> {
 
     /// The buffers of the meshes that are among `objects`, in the order of submission.
     pub(super) fn buffers(&self, objects: Objects) -> impl Iterator<Item = Buffers> {
-        let meshes = self.draws.iter().map(|run| (run, &self.meshes[run.mesh]));
+        let runs = self.orders[self.order].iter();
+        let meshes = runs.map(|run| (run, &self.meshes[run.mesh]));
         let among = meshes.filter(move |(_, mesh)| mesh.is_among(objects));
         among.map(|(run, mesh)| Buffers {
             vertices: mesh.vertices,
             indices: mesh.indices,
+            first: run.first,
             count: run.count,
         })
     }
@@ -242,7 +234,7 @@ impl<'c> Geometry<'c> {
         let gl = self.context.glow();
         let view_projection = self.view_projection.to_cols_array();
         let mut current = None;
-        for run in &self.draws {
+        for run in &self.orders[self.order] {
             let mesh = &self.meshes[run.mesh];
             if !mesh.is_among(objects) {
                 continue;
@@ -288,7 +280,7 @@ impl<'c> Geometry<'c> {
 }
 
 impl Uploaded {
-    fn new(gl: &glow::Context, mesh: &Mesh, triangles: &[[u32; 3]], origin: DVec3) -> Result<Self> {
+    fn new(context: &Context, mesh: &Mesh, triangles: &[[u32; 3]], origin: DVec3) -> Result<Self> {
         if let Some(index) = mesh
             .triangles
             .iter()
@@ -305,40 +297,26 @@ impl Uploaded {
                 "every index of a triangle must be below the number of vertices",
             ));
         }
-        // Offsets into the index buffer are 31 bits wide.
-        if i32::try_from(triangles.len().saturating_mul(12)).is_err() {
-            let what = format!(
-                "mesh '{}' has {} triangles, more than one draw call takes",
-                mesh.name,
-                triangles.len()
-            );
-            return Err(Error::usage(
-                what,
-                "split it into meshes of at most 178 million triangles",
-            ));
-        }
         let corners: Vec<Corner> = mesh
             .vertices
             .iter()
             .map(|vertex| Corner::of(vertex, origin))
             .collect();
         let stride = size_of::<Corner>() as i32;
+        let gl = context.glow();
         let mut making = Making::new(gl);
         // SAFETY: the context is current; the slices are read before the calls return; the three attributes lie within
         // the stride, as Corner is laid out in C's way.
-        unsafe {
+        let uploaded = unsafe {
             let array = making.vertex_array()?;
             gl.bind_vertex_array(Some(array));
             let vertices = making.buffer()?;
             gl.bind_buffer(glow::ARRAY_BUFFER, Some(vertices));
             let bytes = bytemuck::cast_slice(&corners);
             let what = format!("the vertices of mesh '{}'", mesh.name);
-            fill(gl, glow::ARRAY_BUFFER, &what, bytes)?;
+            fill(context, glow::ARRAY_BUFFER, &what, bytes)?;
             let indices = making.buffer()?;
             gl.bind_buffer(glow::ELEMENT_ARRAY_BUFFER, Some(indices));
-            let bytes = bytemuck::cast_slice(triangles);
-            let what = format!("the triangles of mesh '{}'", mesh.name);
-            fill(gl, glow::ELEMENT_ARRAY_BUFFER, &what, bytes)?;
             for (attribute, components, offset) in
                 [(POSITION, 3, 0), (NORMAL, 3, 12), (COLOR, 4, 24)]
             {
@@ -352,8 +330,7 @@ impl Uploaded {
                     offset,
                 );
             }
-            making.finish();
-            Ok(Self {
+            Self {
                 vertices,
                 indices,
                 array,
@@ -362,8 +339,32 @@ impl Uploaded {
                 shading: mesh.shading,
                 inside: mesh.inside,
                 volume: None,
-            })
+            }
+        };
+        uploaded.fill_indices(context, mesh, triangles)?;
+        making.finish();
+        Ok(uploaded)
+    }
+
+    /// Fills the index buffer with triangles of the mesh.
+    fn fill_indices(&self, context: &Context, mesh: &Mesh, triangles: &[[u32; 3]]) -> Result<()> {
+        // Offsets into the index buffer are 31 bits wide.
+        if i32::try_from(triangles.len().saturating_mul(12)).is_err() {
+            let what = format!(
+                "mesh '{}' has {} triangles, more than one draw call takes",
+                mesh.name,
+                triangles.len()
+            );
+            return Err(Error::usage(
+                what,
+                "split it into meshes of at most 178 million triangles",
+            ));
         }
+        // SAFETY: the context is current, and the array is this mesh's own.
+        unsafe { context.glow().bind_vertex_array(Some(self.array)) };
+        let what = format!("the triangles of mesh '{}'", mesh.name);
+        let bytes = bytemuck::cast_slice(triangles);
+        fill(context, glow::ELEMENT_ARRAY_BUFFER, &what, bytes)
     }
 
     fn is_among(&self, objects: Objects) -> bool {

@@ -39,8 +39,10 @@ impl Drop for Bound<'_> {
     }
 }
 
-/// Fills the buffer that is bound to `target`.
-pub(super) fn fill(gl: &glow::Context, target: u32, what: &str, bytes: &[u8]) -> Result<()> {
+/// Fills the buffer that is bound to `target`, which counts as an upload.
+pub(super) fn fill(context: &Context, target: u32, what: &str, bytes: &[u8]) -> Result<()> {
+    let gl = context.glow();
+    context.count_upload();
     allocate(gl, what, bytes.len() as u64, || {
         // SAFETY: the context is current, and a buffer is bound.
         unsafe { gl.buffer_data_u8_slice(target, bytes, glow::STATIC_DRAW) };

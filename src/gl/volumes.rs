@@ -24,7 +24,11 @@ const TRANSFER_FUNCTIONS: Storage = Storage("transfer functions");
 
 /// The volumes of a machine, if its scene has any.
 #[derive(Default)]
-pub(super) struct Volumes<'c>(Option<VolumeTextures<'c>>);
+pub(super) struct Volumes<'c> {
+    textures: Option<VolumeTextures<'c>>,
+    /// The next scene that is uploaded has the same volumes.
+    are_kept: bool,
+}
 
 /// A 3D texture for each volume.
 struct VolumeTextures<'c> {
@@ -34,7 +38,7 @@ struct VolumeTextures<'c> {
 }
 
 impl<'c> Volumes<'c> {
-    /// Uploads the scene's volumes, and lets go of those that were there. `spacing` is the distance from slice to slice, where
+    /// Uploads the scene's volumes, and lets go of those that were there, if it has others. `spacing` is the distance from slice to slice, where
     /// they are drawn as slices. Returns what shaders are compiled with for them: VOLUMES and POINTS, both 0 without any.
     ///
     /// # Errors
@@ -47,7 +51,11 @@ impl<'c> Volumes<'c> {
         size: [u32; 2],
         spacing: f64,
     ) -> Result<[Define; 2]> {
-        self.0 = None;
+        let kept = match std::mem::take(&mut self.are_kept) {
+            true => self.textures.take(),
+            false => None,
+        };
+        self.textures = None;
         let count = scene.volumes.len() as u32;
         if count == 0 {
             return Ok([("VOLUMES", 0), ("POINTS", 0)]);
@@ -56,15 +64,10 @@ impl<'c> Volumes<'c> {
         let most = scene.volumes.iter().map(|v| v.transfer.points().len());
         // One more than any has, to end at.
         let points = (most.max().unwrap_or(0) + 1).next_power_of_two() as u32;
-        let mut textures = VolumeTextures {
-            context,
-            textures: Vec::new(),
-            bytes: 0,
-        };
-        for volume in &scene.volumes {
-            textures.add(volume)?;
-        }
-        self.0 = Some(textures);
+        self.textures = Some(match kept {
+            Some(textures) => textures,
+            None => VolumeTextures::upload(context, &scene.volumes)?,
+        });
         let transfer: Vec<f32> = scene
             .volumes
             .iter()
@@ -85,7 +88,7 @@ impl<'c> Volumes<'c> {
     /// # Errors
     /// None but what the driver has lost.
     pub(super) fn bind(&self, gl: &glow::Context, storages: &Storages) -> Result<()> {
-        let Some(volumes) = &self.0 else {
+        let Some(volumes) = &self.textures else {
             return Ok(());
         };
         for (unit, texture) in (FIRST_VOLUME..).zip(&volumes.textures) {
@@ -101,12 +104,18 @@ impl<'c> Volumes<'c> {
     }
 
     pub(super) fn bytes(&self) -> u64 {
-        self.0.as_ref().map_or(0, |volumes| volumes.bytes)
+        self.textures.as_ref().map_or(0, |volumes| volumes.bytes)
     }
 
     /// Lets go of them.
     pub(super) fn free(&mut self) {
-        self.0 = None;
+        self.textures = None;
+        self.are_kept = false;
+    }
+
+    /// Keeps their samples for the next scene that is uploaded, which has the same volumes.
+    pub(super) fn keep(&mut self) {
+        self.are_kept = true;
     }
 }
 
@@ -135,7 +144,17 @@ fn expect_room_for(context: &Context, count: u32) -> Result<()> {
     Ok(())
 }
 
-impl VolumeTextures<'_> {
+impl<'c> VolumeTextures<'c> {
+    fn upload(context: &'c Context, volumes: &[Volume]) -> Result<Self> {
+        let mut textures = Self {
+            context,
+            textures: Vec::new(),
+            bytes: 0,
+        };
+        volumes.iter().try_for_each(|volume| textures.add(volume))?;
+        Ok(textures)
+    }
+
     fn add(&mut self, volume: &Volume) -> Result<()> {
         let dims = volume.dims();
         let bytes = volume.samples().len() as u64 * 4;
@@ -150,6 +169,7 @@ impl VolumeTextures<'_> {
         }
         let [width, height, depth] = dims.map(|side| side as i32);
         let gl = self.context.glow();
+        self.context.count_upload();
         let _tight = PixelStore::own(self.context);
         // SAFETY: the context is current, and there are as many samples as the texture has texels.
         unsafe {

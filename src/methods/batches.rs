@@ -11,45 +11,38 @@ use crate::scene::Scene;
 use crate::steps;
 use crate::steps::{Call, Dialect, Listing, Variables, Workspace, gl::*, run};
 
-/// A piece of the depth range, and the triangles that reach into it.
+/// A piece of the depth range.
 pub(super) struct Batch {
     /// The window depth at which it begins, included.
     pub(super) begin: f32,
     /// The window depth at which it ends, excluded. It is 1 for the last batch.
     pub(super) end: f32,
-    /// The triangles as mesh and number, in their order.
-    pub(super) order: Vec<[u32; 2]>,
 }
 
 /// The largest distance of a rasterised depth from the exact one: several times f32's rounding. A triangle too many
 /// costs a little, but one too few would be missing.
 const SLACK: f64 = 1e-5;
 
-/// Cuts the depth range into at most `count` batches of about equally many triangles, by the middle of each triangle's
-/// depth range. Opaque triangles are in every batch.
+/// Cuts the depth range into at most `count` batches of about equally many transparent triangles, by the middle of each
+/// triangle's depth range. With the batches come the triangles that reach into each, as mesh and number, in their order.
 pub(super) fn batches(
     scene: &Scene,
-    [width, height]: [u32; 2],
     order: &[[u32; 2]],
     count: u32,
-) -> Vec<Batch> {
+) -> (Vec<Batch>, Vec<Vec<[u32; 2]>>) {
     let camera = &scene.camera;
-    let view_projection = camera.projection(width, height) * camera.view();
-    let ranges: Vec<[f64; 2]> = order
+    // Depth does not depend on the image's sides.
+    let view_projection = camera.projection(1, 1) * camera.view();
+    let is_transparent = |[mesh, _]: &&[u32; 2]| !scene.meshes[*mesh as usize].opaque;
+    let transparent = order.iter().filter(is_transparent);
+    let with_range = transparent.map(|&[mesh, triangle]| {
+        let corners = scene.meshes[mesh as usize].corners(triangle as usize);
+        ([mesh, triangle], depth_range(view_projection, corners))
+    });
+    let triangles: Vec<([u32; 2], [f64; 2])> = with_range.collect();
+    let mut middles: Vec<f32> = triangles
         .iter()
-        .map(|&[mesh, triangle]| {
-            let mesh = &scene.meshes[mesh as usize];
-            match mesh.opaque {
-                true => [0.0, 1.0],
-                false => depth_range(view_projection, mesh.corners(triangle as usize)),
-            }
-        })
-        .collect();
-    let mut middles: Vec<f32> = ranges
-        .iter()
-        .zip(order)
-        .filter(|(_, [mesh, _])| !scene.meshes[*mesh as usize].opaque)
-        .map(|([near, far], _)| ((near + far) / 2.0) as f32)
+        .map(|(_, [near, far])| ((near + far) / 2.0) as f32)
         .collect();
     middles.sort_unstable_by(f32::total_cmp);
     let mut cuts: Vec<f32> = (1..count as usize)
@@ -59,23 +52,19 @@ pub(super) fn batches(
     cuts.dedup();
     let begins = std::iter::once(0.0).chain(cuts.iter().copied());
     let ends = cuts.iter().copied().chain(std::iter::once(1.0));
-    begins
+    let batches: Vec<Batch> = begins
         .zip(ends)
-        .map(|(begin, end)| {
-            let reaches = |[near, far]: [f64; 2]| {
-                near - SLACK <= f64::from(end) && far + SLACK >= f64::from(begin)
-            };
-            let inside = order
-                .iter()
-                .zip(&ranges)
-                .filter(|(_, range)| reaches(**range));
-            Batch {
-                begin,
-                end,
-                order: inside.map(|(triangle, _)| *triangle).collect(),
-            }
-        })
-        .collect()
+        .map(|(begin, end)| Batch { begin, end })
+        .collect();
+    let inside = |batch: &Batch| {
+        let reaches = |(_, [near, far]): &&([u32; 2], [f64; 2])| {
+            near - SLACK <= f64::from(batch.end) && far + SLACK >= f64::from(batch.begin)
+        };
+        let inside = triangles.iter().filter(reaches);
+        inside.map(|(triangle, _)| *triangle).collect()
+    };
+    let orders = batches.iter().map(inside).collect();
+    (batches, orders)
 }
 
 /// The window depths between which a triangle lies, or the whole range if it reaches behind the eye.

@@ -17,7 +17,7 @@ use super::loop_guard::{LoopGuard, peeled};
 use super::sorting::{SORT, TriangleSort};
 use super::technique::{Published, Technique};
 use crate::error::{Error, Result};
-use crate::gl::{Format, Geometry, GlMachine};
+use crate::gl::{Format, GlMachine};
 use crate::papers::carr_2008::coherent;
 use crate::papers::carr_2008::coherent::{LOOP_A, LOOP_B, VARIANT_A, VARIANT_B};
 use crate::papers::stage;
@@ -69,7 +69,7 @@ struct CoherentLayerPeeling {
     peeled: LoopGuard,
     color: Format,
     depth: Format,
-    order: Vec<[u32; 2]>,
+    batches: Vec<Batch>,
 }
 
 /// The listings with the amendments applied, so that improvements can be applied on top.
@@ -98,7 +98,7 @@ impl CoherentLayerPeeling {
             },
             color: setup.color,
             depth: setup.depth,
-            order: Vec::new(),
+            batches: Vec::new(),
         }
     }
 
@@ -123,20 +123,9 @@ impl CoherentLayerPeeling {
         }
     }
 
-    fn submit(&self, machine: &mut GlMachine<'_>, scene: &Scene, order: &[[u32; 2]]) -> Result<()> {
-        let geometry = Geometry::upload_in_order(machine.context(), scene, machine.size(), order)?;
-        machine.set_geometry(geometry);
-        Ok(())
-    }
-
     /// Renders batch after batch, front to back. Each batch lies between two depths and has the triangles that reach
     /// between them.
-    fn draw_batches(
-        &self,
-        machine: &mut GlMachine<'_>,
-        scene: &Scene,
-        batches: &[Batch],
-    ) -> Result<Drawn> {
+    fn draw_batches(&self, machine: &mut GlMachine<'_>) -> Result<Drawn> {
         let mut amendments = self.amendments();
         amendments.push(coherent::UP_TO_THE_BATCH_END);
         let listing = match self.options.variant {
@@ -147,8 +136,9 @@ impl CoherentLayerPeeling {
         run(&stage::CLEAR_ACCUMULATION, &[], Variables::new(), machine)?;
         let mut all = Drawn::default();
         let mut composited = 0;
-        for batch in batches {
-            self.submit(machine, scene, &batch.order)?;
+        for (number, batch) in self.batches.iter().enumerate() {
+            // The first order has every triangle.
+            machine.choose_order(number + 1)?;
             begin_batch(machine, batch.begin, batch.end)?;
             let drawn = peeled(&run(
                 &listing,
@@ -161,7 +151,7 @@ impl CoherentLayerPeeling {
             all.stopped = drawn.stopped;
         }
         run(&stage::OVER_OPAQUE, &[], Variables::new(), machine)?;
-        self.submit(machine, scene, &self.order)?;
+        machine.choose_order(0)?;
         all.composited = Composited::Some(composited);
         Ok(all)
     }
@@ -169,8 +159,14 @@ impl CoherentLayerPeeling {
 
 impl Algorithm for CoherentLayerPeeling {
     fn order(&mut self, scene: &Scene) -> DrawOrder {
-        self.order = self.options.sorting.order(scene);
-        DrawOrder::Sorted(self.order.clone())
+        let order = self.options.sorting.order(scene);
+        if self.options.batches < 2 || self.options.as_printed {
+            return DrawOrder::Sorted(order);
+        }
+        let (batches, mut orders) = batches(scene, &order, self.options.batches);
+        self.batches = batches;
+        orders.insert(0, order);
+        DrawOrder::InTurn(orders)
     }
 
     fn prepare(&mut self, machine: &mut GlMachine<'_>, _: &Scene) -> Result<()> {
@@ -187,13 +183,12 @@ impl Algorithm for CoherentLayerPeeling {
             Variant::B => coherent::RESOURCES_B,
         };
         allocate_maps(machine, &resources, self.color, self.depth)?;
-        expect_known(&self.listing(), &self.amendments(), &resources)
+        expect_known(machine, &self.listing(), &self.amendments(), &resources)
     }
 
-    fn draw(&mut self, machine: &mut GlMachine<'_>, scene: &Scene) -> Result<Drawn> {
-        if self.options.batches > 1 && !self.options.as_printed {
-            let batches = batches(scene, machine.size(), &self.order, self.options.batches);
-            return self.draw_batches(machine, scene, &batches);
+    fn draw(&mut self, machine: &mut GlMachine<'_>, _: &Scene) -> Result<Drawn> {
+        if !self.batches.is_empty() {
+            return self.draw_batches(machine);
         }
         let outcome = run(
             &self.listing(),

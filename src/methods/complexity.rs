@@ -134,17 +134,26 @@ impl Renderer<'_> {
         by: CountBy,
     ) -> Result<(Frame, Complexity)> {
         let frame = self.render(scene, method)?;
+        let complexity = self.count_after(&frame, scene, by)?;
+        Ok((frame, complexity))
+    }
+
+    /// Counts after a frame of the scene.
+    pub(super) fn count_after(
+        &mut self,
+        frame: &Frame,
+        scene: &Scene,
+        by: CountBy,
+    ) -> Result<Complexity> {
         // What was drawn as slices is counted as volumes.
         if frame.stats.slices.is_some() {
-            let complexity = self.complexity(scene, by)?;
-            return Ok((frame, complexity));
+            return self.complexity(scene, by);
         }
         let _visit = self.machine.context().visit()?;
         // The frame's planes may be others than the camera's own.
         self.machine.look(scene);
         self.allocate_stage()?;
-        let complexity = self.count(scene, by)?;
-        Ok((frame, complexity))
+        self.count(scene, by)
     }
 
     /// The scene is uploaded.

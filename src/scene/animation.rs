@@ -5,6 +5,7 @@ use std::ops::Range;
 use bytemuck::cast_slice;
 use flate2::Crc;
 
+use super::camera::Camera;
 use super::contents::{Scene, joined};
 use super::fit::PartialCamera;
 use super::path::CameraPath;
@@ -60,6 +61,12 @@ impl Shows {
         volumes.sort_unstable_by_key(|range| range.start);
         Some(Named { meshes, volumes })
     }
+
+    /// The first frame after `frame` that shows other meshes or volumes, if there is one.
+    fn change_after(&self, frame: u32) -> Option<u32> {
+        let begun = self.shows.partition_point(|show| show.from <= frame);
+        self.shows.get(begun).map(|show| show.from)
+    }
 }
 
 impl Animation {
@@ -68,12 +75,7 @@ impl Animation {
     /// # Errors
     /// There is no such frame.
     pub fn frame(&self, frame: u32) -> Result<Scene> {
-        if frame >= self.path.frames {
-            return Err(Error::usage(
-                format!("there is no frame {frame}: there are {}", self.path.frames),
-                "Frames count from 0.",
-            ));
-        }
+        let camera = self.camera(frame)?;
         let whole = &self.scene;
         let (meshes, volumes) = match self.shows.at(frame) {
             Some(shown) => (
@@ -82,13 +84,28 @@ impl Animation {
             ),
             None => (whole.meshes.clone(), whole.volumes.clone()),
         };
-        let mut scene = Scene {
+        let scene = Scene {
             name: whole.name.clone(),
             notices: whole.notices.clone(),
             meshes,
             volumes,
+            camera,
             ..*whole
         };
+        Ok(scene)
+    }
+
+    /// The camera of one frame.
+    ///
+    /// # Errors
+    /// There is no such frame.
+    pub fn camera(&self, frame: u32) -> Result<Camera> {
+        if frame >= self.path.frames {
+            return Err(Error::usage(
+                format!("there is no frame {frame}: there are {}", self.path.frames),
+                "Frames count from 0.",
+            ));
+        }
         let first = self.scene.camera;
         // Clip planes that the file does not give follow the eye.
         let moved = PartialCamera {
@@ -99,9 +116,22 @@ impl Animation {
             ..self.wish
         };
         let all = joined(&self.scene.meshes, &self.scene.volumes);
-        scene.camera = moved.fit(all, scene.size);
-        scene.camera.check()?;
-        Ok(scene)
+        let camera = moved.fit(all, self.scene.size);
+        camera.check()?;
+        Ok(camera)
+    }
+
+    /// Cuts frames into spans that show the same meshes and volumes: from frame to frame of a span, only the camera moves.
+    pub fn spans(&self, frames: Range<u32>) -> Vec<Range<u32>> {
+        let mut spans = Vec::new();
+        let mut start = frames.start;
+        while start < frames.end {
+            let change = self.shows.change_after(start);
+            let end = change.map_or(frames.end, |change| change.min(frames.end));
+            spans.push(start..end);
+            start = end;
+        }
+        spans
     }
 
     /// A checksum of everything that the frames depend on, except how they are rendered.

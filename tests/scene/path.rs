@@ -52,6 +52,20 @@ fn from_a_frame_on_only_the_named_sources_are_shown() {
     let all = [0, 9, 10, 19, 20, 29].map(shown);
     assert_eq!(all, [(2, 1), (2, 1), (0, 1), (0, 1), (2, 0), (2, 0)]);
     assert!(animation.frame(30).is_err());
+    assert_eq!(animation.spans(0..30), [0..10, 10..20, 20..30]);
+    assert_eq!(animation.spans(5..12), [5..10, 10..12]);
+    assert_eq!(animation.spans(12..12), []);
+}
+
+#[test]
+fn a_frame_s_camera_is_that_of_its_scene() {
+    let animation = load("[path]\nframes = 5\nrotate = 90\ndolly = 0.5\n").unwrap();
+    for frame in 0..5 {
+        let scene = animation.frame(frame).unwrap();
+        assert_eq!(animation.camera(frame).unwrap(), scene.camera);
+    }
+    assert!(animation.camera(5).is_err());
+    assert_eq!(animation.spans(0..5), [0..5]);
 }
 
 #[test]

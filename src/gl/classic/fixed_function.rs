@@ -250,7 +250,8 @@ impl<'m, 'c> FixedFunction<'m, 'c> {
                 gl.bind_buffer(glow::ELEMENT_ARRAY_BUFFER, Some(buffers.indices));
                 (f.vertex_pointer)(3, glow::FLOAT, stride, std::ptr::null());
                 (f.color_pointer)(4, glow::FLOAT, stride, Buffers::COLOR as *const c_void);
-                gl.draw_elements(glow::TRIANGLES, buffers.count, glow::UNSIGNED_INT, 0);
+                let offset = buffers.first * 4;
+                gl.draw_elements(glow::TRIANGLES, buffers.count, glow::UNSIGNED_INT, offset);
             }
             (f.disable_client_state)(VERTEX_ARRAY);
             (f.disable_client_state)(COLOR_ARRAY);

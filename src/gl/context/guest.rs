@@ -54,6 +54,7 @@ impl Context {
             native: None,
             more: OnceCell::new(),
             visits: Cell::new(0),
+            uploads: Cell::new(0),
             foreign: RefCell::default(),
             _not_send: PhantomData,
         }
@@ -84,6 +85,16 @@ impl Context {
             "another OpenGL context is current than the one that was handed over, or none",
             "make that one current on this thread before the call",
         ))
+    }
+
+    /// How many buffers and textures have been filled with parts of scenes so far: one for a mesh's vertices, one for its
+    /// triangles in the order in which they are drawn, one for a volume's samples.
+    pub fn uploads(&self) -> u64 {
+        self.uploads.get()
+    }
+
+    pub(in crate::gl) fn count_upload(&self) {
+        self.uploads.set(self.uploads.get() + 1);
     }
 
     /// Errors that OpenGL had pending when onionskin began to work in the context, by their names, since they were last

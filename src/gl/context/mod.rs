@@ -70,6 +70,8 @@ pub struct Context {
     more: OnceCell<More>,
     /// How many visits are going on, one within the other.
     visits: Cell<u32>,
+    /// How many buffers and textures were filled with parts of scenes.
+    uploads: Cell<u64>,
     /// OpenGL's errors of calls that were not onionskin's.
     foreign: RefCell<Vec<String>>,
     _not_send: PhantomData<*const ()>,
