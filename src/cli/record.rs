@@ -17,6 +17,8 @@ pub(super) struct Record<'a> {
     layers: Option<u32>,
     fragments: u64,
     lost: Option<u64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    merged: Option<u64>,
     stopped: String,
     depth_peeling: String,
     bytes: u64,
@@ -92,6 +94,7 @@ impl<'a> Record<'a> {
             layers: stats.layers,
             fragments: stats.fragments,
             lost: stats.lost,
+            merged: stats.merged,
             stopped: stats.stopped_text(),
             depth_peeling: stats.peeling.to_string(),
             bytes: stats.bytes,

@@ -45,6 +45,9 @@ pub enum DrawOrder {
     Submission,
     /// Each triangle as mesh and number.
     Sorted(Vec<[u32; 2]>),
+    /// Several orders, which need not have every triangle. Frames begin with the first one;
+    /// [`GlMachine::choose_order`] chooses another.
+    InTurn(Vec<Vec<[u32; 2]>>),
 }
 
 /// How a renderer draws, whatever the method.
@@ -72,6 +75,8 @@ pub struct Drawn {
     pub keeps_layers: bool,
     /// The fragments in the image.
     pub composited: Composited,
+    /// The fragments that were not merged with others, or `None` if the method merges none or does not count them.
+    pub unmerged: Option<u64>,
     /// The reason for which its loop ended, or `None` if it has no loop.
     pub stopped: Option<Reason>,
     /// Whether depth peeling was used.

@@ -20,6 +20,9 @@ pub struct Stats {
     /// The number of them that are not in the image (dropped ties, peels not made), or `None` if the method cannot
     /// tell.
     pub lost: Option<u64>,
+    /// The number of fragments that are in the image, but were merged with others, so that what lies between them may be in
+    /// the wrong order. `None` if the method merges none, or does not count them.
+    pub merged: Option<u64>,
     /// The reason for which the loop ended, or `None` if the method has no loop.
     pub stopped: Option<Reason>,
     /// Whether depth peeling was used, and if not, why.
@@ -105,6 +108,9 @@ impl fmt::Display for Stats {
         match self.lost {
             Some(lost) => line("lost", &lost)?,
             None => line("lost", &"not counted")?,
+        }
+        if let Some(merged) = self.merged {
+            line("merged", &merged)?;
         }
         line(
             "memory",

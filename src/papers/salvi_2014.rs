@@ -8,7 +8,8 @@ use super::paper::Paper;
 use crate::papers::stage;
 use crate::steps;
 use crate::steps::{
-    Dialect, Format, Framebuffer, Holds, Listing, Map, Resources, Shader, Target, Text, gl::*,
+    Dialect, Format, Framebuffer, Holds, Listing, Map, Query, Resources, Shader, Target, Text,
+    gl::*,
 };
 
 /// Its texts.
@@ -118,6 +119,30 @@ const COMPOSITE: Listing = Listing {
     },
 };
 
+/// Counts the nodes that a frame has taken, of all pixels: so many fragments have a node of their own. `nodes` is the number
+/// of a pixel's nodes, `taken` the count.
+pub const COUNT_TAKEN: Listing = Listing {
+    title: "How many nodes are taken",
+    source: "onionskin",
+    dialect: Dialect::Calls,
+    steps: steps! {
+        glBindFramebuffer(stage::COMPOSITE);
+        glColorMask(false, false, false, false);
+        glDisable(DEPTH_TEST);
+        glUseProgram(TAKEN);
+        glActiveTexture(0);
+        taken = 0;
+        for (i in 0..nodes) {
+            glBindTexture(Map::at("node", "i"));
+            glBeginQuery(HAVE_TAKEN);
+            drawScreen();
+            glEndQuery(HAVE_TAKEN);
+            taken = taken + samples(HAVE_TAKEN);
+        }
+        glColorMask(true, true, true, true);
+    },
+};
+
 /// What [`FOUR_NODES`] takes for granted.
 pub const RESOURCES_OF_FOUR: Resources = Resources {
     maps: MAPS.split_at(4).0,
@@ -173,3 +198,5 @@ const ALL_NODES: Target = Target("nodes");
 const BEGIN: Shader = Shader("multi_layer/begin");
 const INSERTION: Shader = Shader("multi_layer/insert");
 const FRONT_TO_BACK: Shader = Shader("multi_layer/composite");
+const TAKEN: Shader = Shader("multi_layer/taken");
+const HAVE_TAKEN: Query = Query("have taken a node");

@@ -3,7 +3,9 @@
 use onionskin::low_level::gl::shaders;
 use onionskin::low_level::papers::carr_2008::{coherent, hybrid, ideal};
 use onionskin::low_level::papers::everitt_2001::{LISTING_1, REPLACED, TRIED, WINDOW_Z};
-use onionskin::low_level::papers::{bavoil_2008, lindholm_2015, stage, vasilakis_2013, vtk};
+use onionskin::low_level::papers::{
+    bavoil_2008, lindholm_2015, salvi_2014, stage, vasilakis_2013, vtk,
+};
 use onionskin::low_level::steps::{
     Amendment, Dialect, Known, Listing, Map, Query, Reading, Resources, Shader, Step, Storage,
     Target, check,
@@ -57,6 +59,14 @@ fn listings_and_amendments_that_stand_in_no_text_name_only_what_there_is() {
         passes(&vtk::ON_THE_FLY, amendments, &resources);
         passes(&vtk::KEEP_LAYERS, amendments, &resources);
     }
+    let nodes = [
+        &salvi_2014::RESOURCES_OF_EIGHT,
+        &Resources {
+            variables: &["nodes"],
+            ..Resources::NONE
+        },
+    ];
+    passes(&salvi_2014::COUNT_TAKEN, &[], &nodes);
     passes(
         &vasilakis_2013::COPLANAR_PEELING,
         &[],
