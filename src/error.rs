@@ -69,9 +69,9 @@ pub enum Error {
         remedy: String,
     },
     /// A shader that the driver does not take, or whose includes are wrong.
-    #[error("glsl/{file} does not compile:\n{log}")]
+    #[error("{file} does not compile:\n{log}")]
     Shader {
-        /// The shader's file in `glsl/`.
+        /// The shader's file, as in `glsl/peel.frag`; a user's own as it was named.
         file: String,
         /// What the driver says, with the files named.
         log: String,
@@ -93,16 +93,28 @@ pub enum Error {
         answer: String,
     },
     /// A listing names a map that was not allocated.
-    #[error("the listing names the map '{map}', which does not exist\n  allocate it first")]
+    #[error("the listing names the map '{map}', which does not exist\n  {remedy}")]
     UnknownMap {
         /// The map's name.
         map: String,
+        /// The map that was probably meant, or what to do.
+        remedy: String,
     },
     /// A listing names a buffer that was not allocated.
-    #[error("the listing names the buffer '{buffer}', which does not exist\n  allocate it first")]
+    #[error("the listing names the buffer '{buffer}', which does not exist\n  {remedy}")]
     UnknownBuffer {
         /// The buffer's name.
         buffer: String,
+        /// The buffer that was probably meant, or what to do.
+        remedy: String,
+    },
+    /// A listing names a shader that is neither one of onionskin's own nor one that it was given.
+    #[error("the listing names the shader '{shader}', which does not exist\n  {remedy}")]
+    UnknownShader {
+        /// The shader's name.
+        shader: String,
+        /// The shader that was probably meant.
+        remedy: String,
     },
     /// The emulated pixel cannot run this shader.
     #[error("the emulated pixel has no twin of the shader '{shader}'\n  it has {}", .known.join(", "))]
@@ -187,6 +199,17 @@ fn list(tried: &[Attempt]) -> String {
         .map(|Attempt { what, answer }| format!("  {what}: {answer}"))
         .collect::<Vec<_>>()
         .join("\n")
+}
+
+/// The remedy for a resource that was not allocated. It may be one that was, misspelt.
+fn allocated_first(name: &str, allocated: impl IntoIterator<Item = String>) -> String {
+    let mut allocated: Vec<_> = allocated.into_iter().collect();
+    allocated.sort();
+    let known: Vec<_> = allocated.iter().map(String::as_str).collect();
+    match nearest(name, &known) {
+        Some(meant) => format!("Did you mean '{meant}'? Otherwise allocate it first."),
+        None => "Allocate it first.".into(),
+    }
 }
 
 /// Where in a file something is wrong. Prints as `file:line: 'token'`.
@@ -274,6 +297,21 @@ impl Error {
             what: what.into(),
             remedy: remedy.into(),
         }
+    }
+
+    /// A map that is not among those that were allocated.
+    pub(crate) fn unknown_map(map: String, allocated: impl IntoIterator<Item = String>) -> Self {
+        let remedy = allocated_first(&map, allocated);
+        Self::UnknownMap { map, remedy }
+    }
+
+    /// A buffer that is not among those that were allocated.
+    pub(crate) fn unknown_buffer(
+        buffer: String,
+        allocated: impl IntoIterator<Item = String>,
+    ) -> Self {
+        let remedy = allocated_first(&buffer, allocated);
+        Self::UnknownBuffer { buffer, remedy }
     }
 
     /// A step of a listing that needs an earlier one.

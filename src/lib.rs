@@ -33,9 +33,6 @@
     not(all(feature = "formats", feature = "report")),
     allow(dead_code, unused_imports)
 )]
-// Tests inside of the crate use the scenes of the tests outside.
-#[cfg(test)]
-extern crate self as onionskin;
 
 #[doc = include_str!("findings.md")]
 pub mod findings {}

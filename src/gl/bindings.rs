@@ -59,12 +59,12 @@ pub struct BandParameters {
 
 #[cfg(test)]
 mod tests {
-    use super::super::glsl::text_of;
+    use super::super::glsl::shader_file;
     use super::*;
 
     /// The number that the declaration of `name` has after `key`.
     fn declared(file: &str, key: &str, name: &str) -> u32 {
-        let text = text_of(file).unwrap_or_else(|| panic!("there is no glsl/{file}"));
+        let text = shader_file(file).unwrap_or_else(|| panic!("there is no glsl/{file}"));
         let words = |line: &str| {
             let words = line.split(|c: char| !c.is_alphanumeric() && c != '_');
             words.map(str::to_owned).collect::<Vec<_>>()
@@ -126,7 +126,7 @@ mod tests {
 
     #[test]
     fn the_block_of_a_band_has_the_same_members() {
-        let text = text_of("a_buffer/band.glsl").unwrap();
+        let text = shader_file("a_buffer/band.glsl").unwrap();
         let members = text
             .lines()
             .filter_map(|line| line.trim().strip_prefix("uint "));
@@ -147,7 +147,7 @@ mod tests {
 
     #[test]
     fn an_empty_sample_is_the_same_number() {
-        let text = text_of("common/volume.glsl").unwrap();
+        let text = shader_file("common/volume.glsl").unwrap();
         assert!(
             text.contains(&format!("#define EMPTY {EMPTY:e}\n")),
             "{EMPTY:e}"

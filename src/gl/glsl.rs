@@ -1,19 +1,18 @@
-//! The shaders' sources, and the one thing added to GLSL: `#include "common/NAME"`.
+//! The shaders' sources, and the one thing added to GLSL: `#include "common/NAME"`. [`Files`] are those of `glsl/`, and a
+//! user's own.
 //!
 //! An include is replaced by the file, between `#line` directives that give every file a number of its own. The driver
 //! puts that number before each message, and [`Source::explain`] replaces it by the file's name.
 
-#[cfg(test)]
-pub(crate) mod changed;
 mod declared;
+mod files;
 
-pub(super) use self::declared::{Declared, declared};
+pub(super) use self::declared::Declared;
+pub(super) use self::files::Files;
+pub use self::files::{shader_file, shaders};
 
 use super::network::{self, LARGEST_NETWORK};
 use crate::error::{Error, Result};
-
-/// The files of `glsl/`, their names and texts: `glsl/build.rs` writes the table.
-const FILES: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/shaders.rs"));
 
 /// Not a file: the comparators that sort as many elements as the constant N says, or DEEPEST if that is less, if they are not
 /// too many.
@@ -25,13 +24,6 @@ const EACH_VOLUME: &str = "a_buffer/each_volume";
 /// Likewise: the jumps of a binary search among POINTS elements.
 const HALVINGS: &str = "a_buffer/halvings";
 
-/// The names of all fragment shaders, as listings have them.
-pub fn shaders() -> impl Iterator<Item = &'static str> {
-    FILES
-        .iter()
-        .filter_map(|(name, _)| name.strip_suffix(".frag"))
-}
-
 /// A shader with its includes resolved.
 #[derive(Debug)]
 pub(super) struct Source {
@@ -42,27 +34,23 @@ pub(super) struct Source {
 }
 
 impl Source {
-    /// A file of `glsl/` by its name, with constants as `#define`s after its first line, which is its `#version`. The
+    /// A file by its name, with constants as `#define`s after its first line, which is its `#version`. The
     /// constants N and DEEPEST make the include `a_buffer/network`: the network that sorts the lesser of both.
-    pub(super) fn load_with(name: &str, constants: &[(&'static str, u32)]) -> Result<Self> {
-        let constant = |wanted| constants.iter().find(|(name, _)| *name == wanted);
-        let size = constant("N");
-        let volumes = constant("VOLUMES").map_or_else(String::new, |&(_, n)| network::volumes(n));
-        let halvings = constant("POINTS").map_or_else(String::new, |&(_, n)| network::halvings(n));
-        let network = match (size, constant("DEEPEST")) {
-            (Some(&(_, n)), Some(&(_, deepest))) if n.is_power_of_two() && n <= LARGEST_NETWORK => {
-                network::glsl(n.min(deepest) as usize)
-            }
-            _ => String::new(),
+    pub(super) fn load_with(
+        files: &Files,
+        name: &str,
+        constants: &[(&'static str, u32)],
+    ) -> Result<Self> {
+        let mut source = Self {
+            text: String::new(),
+            files: Vec::new(),
         };
-        let elements = size.map_or_else(String::new, |&(_, n)| network::elements(n as usize));
-        let mut source = Self::resolve(name, &|file| match file {
-            NETWORK => Some(network.as_str()),
-            ELEMENTS => Some(elements.as_str()),
-            EACH_VOLUME => Some(volumes.as_str()),
-            HALVINGS => Some(halvings.as_str()),
-            _ => text_of(file),
+        let text = files.text(name).ok_or_else(|| Error::Shader {
+            file: name.into(),
+            log: format!("There is no file of this name. {}", files.meant(name)),
         })?;
+        let made = made(constants);
+        source.append(name, text, &Around { files, made }, &mut Vec::new())?;
         if let (false, Some((version, rest))) = (constants.is_empty(), source.text.split_once('\n'))
         {
             let defines: String = constants
@@ -74,49 +62,43 @@ impl Source {
         Ok(source)
     }
 
-    fn resolve<'a>(name: &str, find: &dyn Fn(&str) -> Option<&'a str>) -> Result<Self> {
-        let mut source = Self {
-            text: String::new(),
-            files: Vec::new(),
-        };
-        source.append(name, find, &mut Vec::new())?;
-        Ok(source)
-    }
-
-    fn append<'a>(
+    /// Appends a file, its includes in place. `open` are the files that include it, the outermost first.
+    fn append(
         &mut self,
         name: &str,
-        find: &dyn Fn(&str) -> Option<&'a str>,
+        text: &str,
+        around: &Around<'_>,
         open: &mut Vec<String>,
     ) -> Result<()> {
-        let wrong = |what: String| Error::Shader {
-            file: open.last().map_or(name, |f| f).to_owned(),
-            log: what,
-        };
-        if open.iter().any(|file| file == name) {
-            return Err(wrong(format!(
-                "the include of {name} is cyclic: {} -> {name}",
-                open.join(" -> ")
-            )));
-        }
-        let text = find(name).ok_or_else(|| wrong(format!("there is no file {name} in glsl/")))?;
         let number = self.files.len();
-        self.files.push(name.to_owned());
+        let shown = around.files.shown(name);
+        self.files.push(shown.clone());
         open.push(name.to_owned());
         if number > 0 {
             self.text += &format!("#line 1 {number}\n");
         }
         for (index, line) in text.lines().enumerate() {
-            match included(line) {
-                Some(file) => {
-                    self.append(file, find, open)?;
-                    self.text += &format!("#line {} {number}\n", index + 2);
-                }
-                None => {
-                    self.text += line;
-                    self.text.push('\n');
-                }
+            let Some(file) = included(line) else {
+                self.text += line;
+                self.text.push('\n');
+                continue;
+            };
+            let wrong = |what: String| Error::Shader {
+                file: around.files.shown(&open[0]),
+                log: format!("{shown}:{}: {what}", index + 1),
+            };
+            if open.iter().any(|other| other == file) {
+                let way = open.join(" -> ");
+                return Err(wrong(format!(
+                    "the include of {file} is cyclic: {way} -> {file}"
+                )));
             }
+            let text = around.text(file).ok_or_else(|| {
+                let meant = around.files.meant(file);
+                wrong(format!("there is no file {file} to include. {meant}"))
+            })?;
+            self.append(file, text, around, open)?;
+            self.text += &format!("#line {} {number}\n", index + 2);
         }
         open.pop();
         Ok(())
@@ -133,7 +115,7 @@ impl Source {
                 .ok()
                 .and_then(|number| self.files.get(number))
             {
-                Some(file) if rest.starts_with([':', '(']) => format!("glsl/{file}{rest}"),
+                Some(file) if rest.starts_with([':', '(']) => format!("{file}{rest}"),
                 _ => line.to_owned(),
             }
         });
@@ -141,12 +123,46 @@ impl Source {
     }
 }
 
-/// A file's text.
-pub(super) fn text_of(name: &str) -> Option<&'static str> {
-    let (_, text) = FILES.iter().find(|(other, _)| *other == name)?;
-    #[cfg(test)]
-    let text = &changed::text(name, text);
-    Some(text)
+/// The files that may be included: those of the folder and a user's own, and those that are made for the constants.
+struct Around<'f> {
+    files: &'f Files,
+    made: [(&'static str, String); 4],
+}
+
+impl Around<'_> {
+    fn text(&self, name: &str) -> Option<&str> {
+        let made = self.made.iter().find(|(other, _)| *other == name);
+        made.map(|(_, text)| text.as_str())
+            .or_else(|| self.files.text(name))
+    }
+}
+
+/// The files that are made, empty if their constant is not given.
+fn made(constants: &[(&'static str, u32)]) -> [(&'static str, String); 4] {
+    let constant = |wanted| {
+        let found = constants.iter().find(|(name, _)| *name == wanted);
+        found.map(|&(_, value)| value)
+    };
+    let size = constant("N");
+    let network = match (size, constant("DEEPEST")) {
+        (Some(n), Some(deepest)) if n.is_power_of_two() && n <= LARGEST_NETWORK => {
+            network::glsl(n.min(deepest) as usize)
+        }
+        _ => String::new(),
+    };
+    let elements = size.map(|n| network::elements(n as usize));
+    [
+        (NETWORK, network),
+        (ELEMENTS, elements.unwrap_or_default()),
+        (
+            EACH_VOLUME,
+            constant("VOLUMES").map_or_else(String::new, network::volumes),
+        ),
+        (
+            HALVINGS,
+            constant("POINTS").map_or_else(String::new, network::halvings),
+        ),
+    ]
 }
 
 /// The file that a line includes.
@@ -162,22 +178,21 @@ fn included(line: &str) -> Option<&str> {
 mod tests {
     use super::*;
 
-    fn resolve(name: &str, files: &[(&'static str, &'static str)]) -> Result<Source> {
-        Source::resolve(name, &|file| {
-            files
-                .iter()
-                .find(|(n, _)| *n == file)
-                .map(|(_, text)| *text)
-        })
+    fn resolve(name: &str, own: &[(&str, &str)]) -> Result<Source> {
+        let mut files = Files::default();
+        for (name, text) in own {
+            files.set(name, text).unwrap();
+        }
+        Source::load_with(&files, name, &[])
     }
 
     #[test]
     fn an_include_is_replaced_by_the_file_between_line_directives() {
         let files = [
-            ("a", "#version 430 core\n#include \"b\"\nend"),
-            ("b", "middle"),
+            ("a.frag", "#version 430 core\n#include \"b.glsl\"\nend"),
+            ("b.glsl", "middle"),
         ];
-        let text = resolve("a", &files).unwrap().text;
+        let text = resolve("a.frag", &files).unwrap().text;
         assert_eq!(
             text,
             "#version 430 core\n#line 1 1\nmiddle\n#line 3 0\nend\n"
@@ -186,73 +201,52 @@ mod tests {
 
     #[test]
     fn a_log_names_the_file_instead_of_its_number() {
-        let files = [("a", "#include \"b\""), ("b", "middle")];
-        let source = resolve("a", &files).unwrap();
+        let files = [("a.glsl", "#include \"b.glsl\""), ("b.glsl", "middle")];
+        let source = resolve("a.glsl", &files).unwrap();
         assert_eq!(
             source.explain("1:7(3): error: no"),
-            "glsl/b:7(3): error: no"
+            "b.glsl:7(3): error: no"
         );
         assert_eq!(
             source.explain("1(7) : error C0000: no"),
-            "glsl/b(7) : error C0000: no"
+            "b.glsl(7) : error C0000: no"
         );
         assert_eq!(source.explain("2 errors"), "2 errors");
+        // One of the folder is named with it.
+        let source = resolve("a.glsl", &[("a.glsl", "#include \"common/clip.glsl\"")]).unwrap();
+        assert_eq!(source.explain("1:7: no"), "glsl/common/clip.glsl:7: no");
     }
 
     #[test]
-    fn an_unknown_include_is_an_error_that_names_both_files() {
-        let error = resolve("a", &[("a", "#include \"b\"")])
+    fn an_unknown_include_is_an_error_that_names_the_line_and_what_was_meant() {
+        let error = resolve("a.glsl", &[("a.glsl", "\n#include \"common/volum.glsl\"")])
             .unwrap_err()
             .to_string();
         assert!(
-            error.contains("glsl/a") && error.contains("no file b"),
+            error.contains("a.glsl:2: there is no file common/volum.glsl")
+                && error.contains("'common/volume.glsl'"),
             "{error}"
         );
     }
 
     #[test]
     fn a_cyclic_include_is_an_error_that_shows_the_cycle() {
-        let files = [("a", "#include \"b\""), ("b", "#include \"a\"")];
-        let error = resolve("a", &files).unwrap_err().to_string();
-        assert!(error.contains("a -> b -> a"), "{error}");
+        let files = [
+            ("a.glsl", "#include \"b.glsl\""),
+            ("b.glsl", "#include \"a.glsl\""),
+        ];
+        let error = resolve("a.glsl", &files).unwrap_err().to_string();
+        assert!(
+            error.contains("b.glsl:1: ") && error.contains("a.glsl -> b.glsl -> a.glsl"),
+            "{error}"
+        );
     }
 
-    #[test]
-    fn every_file_of_the_folder_is_embedded() {
-        let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("glsl");
-        let mut found = Vec::new();
-        let mut folders = vec![folder.clone()];
-        while let Some(folder_here) = folders.pop() {
-            for entry in std::fs::read_dir(folder_here).unwrap() {
-                let path = entry.unwrap().path();
-                if path.is_dir() {
-                    folders.push(path);
-                } else {
-                    let name = path.strip_prefix(&folder).unwrap();
-                    found.push(name.to_str().unwrap().to_owned());
-                }
-            }
-        }
-        found.retain(|name| name != "build.rs");
-        found.sort();
-        let mut embedded: Vec<_> = FILES.iter().map(|(name, _)| (*name).to_owned()).collect();
-        embedded.sort();
-        assert_eq!(found, embedded);
-    }
-
-    #[test]
-    fn every_vertex_shader_marks_its_position_invariant() {
-        for (name, text) in FILES.iter().filter(|(name, _)| name.ends_with(".vert")) {
-            assert!(text.contains("invariant gl_Position;"), "{name}");
-            assert!(text.starts_with("#version"), "{name}");
-        }
-    }
-
-    /// The issue asks for it; the fill that the paper has is the control.
+    /// The fill that the paper has is the control.
     #[test]
     fn the_ordered_fill_has_no_atomics() {
         let atomics = |name| {
-            let source = Source::load_with(name, &[]).expect("it is embedded");
+            let source = Source::load_with(&Files::default(), name, &[]).expect("it is embedded");
             let code = source
                 .text
                 .lines()

@@ -104,6 +104,32 @@ impl<'c> GlMachine<'c> {
         self.geometry = Some(geometry);
     }
 
+    /// Has draw calls draw another of the orders in which the geometry was uploaded
+    /// ([`Geometry::upload_in_orders`]), until the next frame begins.
+    ///
+    /// # Errors
+    /// If there is no geometry, or it was not uploaded in so many orders.
+    pub fn choose_order(&mut self, order: usize) -> Result<()> {
+        let no_scene = || {
+            Error::out_of_order(
+                "an order is chosen before there is a scene",
+                "set_geometry first",
+            )
+        };
+        self.geometry.as_mut().ok_or_else(no_scene)?.choose(order)
+    }
+
+    /// Draws the scene that was uploaded in other orders, and keeps its vertices where they are.
+    ///
+    /// # Errors
+    /// If the driver has too little memory.
+    pub(crate) fn reorder(&mut self, scene: &Scene, orders: &[Vec<[u32; 2]>]) -> Result<()> {
+        match &mut self.geometry {
+            Some(geometry) => geometry.reorder(scene, orders),
+            None => Ok(()),
+        }
+    }
+
     /// Draws the scene that was uploaded as the camera sees it that it has now; its meshes and volumes are the same.
     pub fn look(&mut self, scene: &Scene) {
         let size = self.size();
@@ -125,6 +151,9 @@ impl<'c> GlMachine<'c> {
         self.classic.begin_frame();
         self.band = None;
         self.geometry_passes = 0;
+        if let Some(geometry) = &mut self.geometry {
+            geometry.begin_frame();
+        }
     }
 
     /// Asks OpenGL for errors since it was last asked. Release builds do not ask after each step.
@@ -133,6 +162,44 @@ impl<'c> GlMachine<'c> {
     /// OpenGL's error, after any call.
     pub fn expect_no_error(&self, when: &str) -> Result<()> {
         expect_no_error(self.context.glow(), when)
+    }
+
+    /// Gives the machine a shader's file of one's own. Listings name a fragment shader by its file's name without the
+    /// ending: `Shader("mine/glow")` is `mine/glow.frag`. A file of this name in `glsl/` is replaced, for this machine.
+    ///
+    /// The text is read as those in `glsl/` are. A shader that draws surfaces calls `vec4 surface_color()`, which the
+    /// machine adds for each kind of shading. These lines are read, too:
+    ///
+    /// | line | in | says |
+    /// | --- | --- | --- |
+    /// | `#include "common/volume.glsl"` | any file | the file stands here, one of `glsl/` or one's own |
+    /// | `// vertex: screen.vert` | a fragment shader | its vertex shader; without the line `geometry.vert` |
+    /// | `// draws: screen` | a vertex shader | its programs cover the screen; without the line they draw surfaces |
+    /// | `// looks at: classic state` | a vertex shader | its programs are given what classic calls have set |
+    /// | `// defines: method` | any file | whatever includes it is compiled with [`set_defines`](Self::set_defines) |
+    ///
+    /// Programs are linked when a listing names them. An error of the text comes then, as [`Error::Shader`], with the file
+    /// and the line. As OpenGL leaves it open what happens if a shader writes outside of a buffer, a text must not do that.
+    ///
+    /// # Errors
+    /// If the name does not end in `.frag`, `.vert`, `.comp` or `.glsl`, if a file that is not a `.glsl` does not begin with
+    /// `#version`, or if the context cannot be made current.
+    pub fn set_shader_file(&mut self, name: &str, text: &str) -> Result<()> {
+        if self.programs.files.text(name) == Some(text) {
+            return Ok(());
+        }
+        let _away = self.context.enter()?;
+        self.programs.files.set(name, text)?;
+        // Any of the programs may include it.
+        let gl = self.context.glow();
+        self.programs.delete(gl);
+        self.scan.delete(gl);
+        Ok(())
+    }
+
+    /// The names of all shaders that listings may name: those in `glsl/`, and those of one's own.
+    pub fn shaders(&self) -> impl Iterator<Item = &str> {
+        self.programs.files.shaders()
     }
 
     /// Sets the `#define`s, names and values, of programs that are used from now on. Only shaders that ask for them

@@ -2,7 +2,7 @@
 
 use glow::HasContext;
 
-use super::glsl::{Declared, Source, declared};
+use super::glsl::{Declared, Files, Source};
 use super::making::{Making, named};
 use crate::error::{Error, Result};
 use crate::scene::Shading;
@@ -25,23 +25,24 @@ pub(super) struct Program {
 }
 
 impl Program {
-    /// Links files of `glsl/`, one vertex shader and fragment shaders that complete each other. The context is current.
+    /// Links files, one vertex shader and fragment shaders that complete each other. The context is current.
     pub(super) fn link(
         making: &mut Making<'_>,
-        files: &[&str],
+        files: &Files,
+        names: &[&str],
         defines: &[Define],
     ) -> Result<Self> {
         let raw = making.program()?;
         let gl = making.gl();
         // SAFETY: the context is current, and every object used here is made here.
         unsafe {
-            for &file in files {
-                let kind = match file.rsplit('.').next() {
+            for &name in names {
+                let kind = match name.rsplit('.').next() {
                     Some("vert") => glow::VERTEX_SHADER,
                     Some("comp") => glow::COMPUTE_SHADER,
                     _ => glow::FRAGMENT_SHADER,
                 };
-                let source = Source::load_with(file, defines)?;
+                let source = Source::load_with(files, name, defines)?;
                 let shader = named("shader", gl.create_shader(kind))?;
                 gl.shader_source(shader, &source.text);
                 gl.compile_shader(shader);
@@ -49,7 +50,7 @@ impl Program {
                     let log = source.explain(&gl.get_shader_info_log(shader));
                     gl.delete_shader(shader);
                     return Err(Error::Shader {
-                        file: file.into(),
+                        file: files.shown(name),
                         log,
                     });
                 }
@@ -60,8 +61,9 @@ impl Program {
             gl.link_program(raw);
             if !gl.get_program_link_status(raw) {
                 let log = gl.get_program_info_log(raw);
+                let shown: Vec<_> = names.iter().map(|name| files.shown(name)).collect();
                 return Err(Error::Shader {
-                    file: files.join(" with glsl/"),
+                    file: shown.join(" with "),
                     log,
                 });
             }
@@ -83,7 +85,6 @@ impl Program {
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(super) struct ProgramKey {
     shader: Shader,
-    declared: Declared,
     defines: Vec<Define>,
     /// If it draws slices, too, what their part is compiled with besides.
     slices: Option<[Define; 2]>,
@@ -95,23 +96,22 @@ impl ProgramKey {
     /// there are any.
     pub(super) fn new(
         shader: Shader,
+        declared: &Declared,
         defines: &[Define],
         more: Option<Define>,
         slices: Option<[Define; 2]>,
         inverse_w: Option<u32>,
-    ) -> Result<Self> {
-        let declared = declared(shader)?;
+    ) -> Self {
         let asked_for = defines.iter().copied().chain(more);
         let inverse_w = inverse_w.map(|near| ("INVERSE_W", near));
-        Ok(Self {
+        Self {
             shader,
-            declared,
             defines: asked_for
                 .filter(|_| declared.takes_defines)
                 .chain(inverse_w)
                 .collect(),
             slices: slices.filter(|_| !declared.draws_screen),
-        })
+        }
     }
 }
 
@@ -146,25 +146,25 @@ impl Surfaces {
 
 impl ProgramSet {
     /// Links what the name stands for. The context is current.
-    pub(super) fn new(gl: &glow::Context, key: &ProgramKey) -> Result<Self> {
-        let Declared {
-            vertex,
-            draws_screen,
-            is_classic,
-            ..
-        } = key.declared;
+    pub(super) fn new(
+        gl: &glow::Context,
+        files: &Files,
+        declared: &Declared,
+        key: &ProgramKey,
+    ) -> Result<Self> {
+        let vertex = declared.vertex.as_str();
         let fragment = format!("{}.frag", key.shader.0);
         let mut making = Making::new(gl);
-        if draws_screen {
-            let program = Program::link(&mut making, &[vertex, &fragment], &key.defines)?;
+        if declared.draws_screen {
+            let program = Program::link(&mut making, files, &[vertex, &fragment], &key.defines)?;
             making.finish();
             return Ok(Self::Screen(program));
         }
         let mut with = |surface, defines: &[_]| {
-            Program::link(&mut making, &[vertex, &fragment, surface], defines)
+            Program::link(&mut making, files, &[vertex, &fragment, surface], defines)
         };
         let surfaces = Surfaces {
-            is_classic,
+            is_classic: declared.is_classic,
             unlit: with("surface/unlit.frag", &key.defines)?,
             lit: with("surface/lit.frag", &key.defines)?,
             slice: key

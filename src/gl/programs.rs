@@ -5,12 +5,16 @@ use std::collections::hash_map::Entry;
 
 use glow::HasContext;
 
+use super::glsl::{Declared, Files};
 use super::program::{Define, ProgramKey, ProgramSet};
 use crate::error::{Error, Result};
 use crate::steps::Shader;
 
 #[derive(Debug, Default)]
 pub(super) struct Programs {
+    pub(super) files: Files,
+    /// What the shaders that were named declare.
+    declared: HashMap<Shader, Declared>,
     linked: HashMap<ProgramKey, ProgramSet>,
     current: Option<ProgramKey>,
     /// What the shaders that ask for a method's defines are compiled with.
@@ -30,9 +34,14 @@ impl Programs {
         size: Option<u32>,
     ) -> Result<()> {
         let size = size.map(|size| ("N", size));
-        let key = ProgramKey::new(shader, &self.defines, size, self.slices, self.inverse_w)?;
+        let declared = match self.declared.entry(shader) {
+            Entry::Occupied(read) => read.into_mut(),
+            Entry::Vacant(place) => place.insert(Declared::read(&self.files, shader)?),
+        };
+        let (slices, inverse_w) = (self.slices, self.inverse_w);
+        let key = ProgramKey::new(shader, declared, &self.defines, size, slices, inverse_w);
         if let Entry::Vacant(place) = self.linked.entry(key.clone()) {
-            let linked = ProgramSet::new(gl, place.key())?;
+            let linked = ProgramSet::new(gl, &self.files, declared, place.key())?;
             place.insert(linked);
         }
         if let ProgramSet::Screen(program) = &self.linked[&key] {
@@ -72,11 +81,14 @@ impl Programs {
         }
     }
 
+    /// Lets go of every program: each is linked anew when it is named again.
     pub(super) fn delete(&mut self, gl: &glow::Context) {
         for program in self.linked.values().flat_map(ProgramSet::programs) {
             // SAFETY: the program is the machine's own, and its table is cleared below.
             unsafe { gl.delete_program(program.raw) };
         }
         self.linked.clear();
+        self.declared.clear();
+        self.current = None;
     }
 }

@@ -38,9 +38,16 @@ impl<'c> GlMachine<'c> {
 
     /// Lets go of every map, buffer, framebuffer and volume.
     pub(crate) fn free_every_map(&mut self) {
+        self.free_every_map_but_the_volumes();
+        self.volumes.free();
+    }
+
+    /// Lets go of every map, buffer and framebuffer. The volumes' samples stay where they are; the scene that is uploaded
+    /// next has the same volumes.
+    pub(crate) fn free_every_map_but_the_volumes(&mut self) {
         let gl = self.context.glow();
         self.programs.slices = None;
-        self.volumes.free();
+        self.volumes.keep();
         self.framebuffers.delete(gl);
         self.storages.delete(gl);
         self.maps.delete(gl);
@@ -179,8 +186,9 @@ impl<'c> GlMachine<'c> {
     pub(crate) fn prefix_scan(&mut self, counts: Map, offsets: Storage) -> Result<()> {
         let counts = self.maps.get(counts)?;
         self.programs.forget_current();
+        let files = &self.programs.files;
         self.scan
-            .run(self.context, &mut self.storages, counts, offsets)
+            .run(self.context, files, &mut self.storages, counts, offsets)
     }
 
     /// A colour map's texels, bottom row first.

@@ -8,6 +8,7 @@ use glow::HasContext;
 
 use super::bindings;
 use super::context::Context;
+use super::glsl::Files;
 use super::making::Making;
 use super::program::{Define, Program};
 use super::storage::Storages;
@@ -64,6 +65,7 @@ impl Scan {
     pub(super) fn run(
         &mut self,
         context: &Context,
+        files: &Files,
         storages: &mut Storages,
         counts: Texture,
         offsets: Storage,
@@ -71,7 +73,7 @@ impl Scan {
         let gl = context.glow();
         let programs = match self.0.take() {
             Some(programs) => programs,
-            None => Programs::new(gl)?,
+            None => Programs::new(gl, files)?,
         };
         let programs = self.0.insert(programs);
         let numbers = counts.size[0] * counts.size[1];
@@ -110,9 +112,9 @@ impl Scan {
 }
 
 impl Programs {
-    fn new(gl: &glow::Context) -> Result<Self> {
+    fn new(gl: &glow::Context, files: &Files) -> Result<Self> {
         let mut making = Making::new(gl);
-        let mut link = |file| Program::link(&mut making, &[file], &DEFINES);
+        let mut link = |name| Program::link(&mut making, files, &[name], &DEFINES);
         let programs = Self {
             gather: link("a_buffer/scan_gather.comp")?,
             reduce: link("a_buffer/scan_reduce.comp")?,

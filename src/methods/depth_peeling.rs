@@ -86,7 +86,7 @@ impl Algorithm for DepthPeeling {
         if !self.options.keeps_layers() {
             allocate_maps(machine, &[&stage::ACCUMULATING], self.color, self.depth)?;
         }
-        self.expect_known()
+        self.expect_known(machine)
     }
 
     fn draw(&mut self, machine: &mut GlMachine<'_>, scene: &Scene) -> Result<Drawn> {
@@ -142,15 +142,15 @@ impl DepthPeeling {
         }
     }
 
-    fn expect_known(&self) -> Result<()> {
+    fn expect_known(&self, machine: &GlMachine<'_>) -> Result<()> {
         let amendments = self.options.amendments;
         if self.options.as_printed {
-            expect_known(&LISTING_1, amendments, &[&vtk::PEELING])?;
+            expect_known(machine, &LISTING_1, amendments, &[&vtk::PEELING])?;
             let resources = [&vtk::PEELING, &everitt_2001::COMPOSITING];
-            return expect_known(&everitt_2001::COMPOSITE, amendments, &resources);
+            return expect_known(machine, &everitt_2001::COMPOSITE, amendments, &resources);
         }
         let resources = [&stage::ACCUMULATING, &vtk::PEELING, &everitt_2001::TRIED];
-        expect_known(self.listing(), amendments, &resources)
+        expect_known(machine, self.listing(), amendments, &resources)
     }
 
     /// Whether a fragment may pass the comparison with its own depth again and again. This is possible if the compared

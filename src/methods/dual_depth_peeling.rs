@@ -54,6 +54,7 @@ impl Algorithm for DualDepthPeeling {
         let depth = machine.format(stage::OPAQUE_DEPTH)?;
         allocate_maps(machine, &[&bavoil::RESOURCES], self.color, depth)?;
         expect_known(
+            machine,
             &DUAL_DEPTH_PEELING,
             self.options.amendments,
             &[&bavoil::RESOURCES],

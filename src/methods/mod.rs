@@ -58,6 +58,7 @@ pub mod coplanar;
 mod depth_unit_0;
 mod entry;
 mod expect_known;
+mod film;
 mod hanging;
 pub mod invariance;
 mod inverse_w;
@@ -72,8 +73,6 @@ mod stats;
 #[cfg(test)]
 mod tables;
 mod technique;
-#[cfg(test)]
-mod volume_controls;
 
 pub use algorithm::{Algorithm, Composited, DrawOrder, Drawn, Setup};
 pub use allocate_maps::allocate_maps;
@@ -81,6 +80,7 @@ pub use batches::begin_batch;
 pub use choice::{Choice, Takes};
 pub use complexity::{Bin, Complexity, CountBy};
 pub use entry::{Entry, Memory, Ties, Volumes};
+pub use film::Film;
 pub use hanging::Hanging;
 pub use options::*;
 pub use registry::{Listed, Method, methods_with, registry};

@@ -12,9 +12,6 @@
 //!
 //! Excludes: multisampling; depths at or beyond the far plane, which GL clips; colours beyond 1, which are stored as 1.
 
-#[cfg(test)]
-mod tests;
-
 use super::algorithm::{Algorithm, Drawn, Setup};
 use super::allocate_maps::allocate_maps;
 use super::choice::{Choice, Setter, Takes};
@@ -22,7 +19,9 @@ use super::entry::{Entry, Memory, Ties, Volumes};
 use super::technique::{Published, Technique};
 use crate::error::{Error, Result};
 use crate::gl::GlMachine;
-use crate::papers::salvi_2014::{EIGHT_NODES, FOUR_NODES, RESOURCES_OF_EIGHT, RESOURCES_OF_FOUR};
+use crate::papers::salvi_2014::{
+    COUNT_TAKEN, EIGHT_NODES, FOUR_NODES, RESOURCES_OF_EIGHT, RESOURCES_OF_FOUR,
+};
 use crate::scene::Scene;
 use crate::steps::{Variables, run};
 use crate::words::{Words, words};
@@ -79,6 +78,17 @@ impl Algorithm for MultiLayerAlphaBlending {
             iterations: 1,
             ..Drawn::default()
         })
+    }
+
+    fn account(&mut self, machine: &mut GlMachine<'_>, drawn: &mut Drawn) -> Result<()> {
+        if self.setup.counts_costs {
+            let nodes = f64::from(self.options.nodes as u32);
+            let variables = Variables::new().with("nodes", nodes);
+            let outcome = run(&COUNT_TAKEN, &[], variables, machine)?;
+            // A count of pixels, which is exact in f64.
+            drawn.unmerged = outcome.variables.get("taken").map(|taken| taken as u64);
+        }
+        Ok(())
     }
 }
 

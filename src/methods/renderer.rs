@@ -67,7 +67,7 @@ pub struct Layer {
 }
 
 /// A scene in the form in which a method draws it.
-struct Shown<'s> {
+pub(super) struct Shown<'s> {
     scene: Cow<'s, Scene>,
     /// How many slices to draw the volumes as, or `None` if the method casts rays or there are no volumes.
     slices: Option<u32>,
@@ -149,19 +149,39 @@ impl<'c> Renderer<'c> {
         self
     }
 
+    /// The renderer with a shader's file of one's own, for a method of one's own, or in place of one of onionskin's:
+    /// [`GlMachine::set_shader_file`] says what it may contain.
+    ///
+    /// # Errors
+    /// As [`GlMachine::set_shader_file`].
+    pub fn with_shader_file(mut self, name: &str, text: &str) -> Result<Self> {
+        self.machine.set_shader_file(name, text)?;
+        Ok(self)
+    }
+
     /// Renders one frame.
     ///
     /// # Errors
     /// If the method or the driver fails.
     pub fn render(&mut self, scene: &Scene, method: &dyn Technique) -> Result<Frame> {
         let _visit = self.machine.context().visit()?;
-        let shown = self.shown(scene, method)?;
+        let shown = self.shown(self.with_planes(scene), scene.camera, method)?;
+        self.render_shown(&shown, method, &mut None)
+    }
+
+    /// Renders a frame of a scene that `held` says is uploaded, and in which order; it is uploaded if that is nothing.
+    pub(super) fn render_shown(
+        &mut self,
+        shown: &Shown<'_>,
+        method: &dyn Technique,
+        held: &mut Option<DrawOrder>,
+    ) -> Result<Frame> {
         let scene = &*shown.scene;
-        let mut algorithm = self.prepare(&shown, method)?;
+        let mut algorithm = self.prepare(shown, method, held)?;
         let (mut drawn, ms) = self.draw(scene, algorithm.as_mut())?;
         self.machine
             .save_and_restore(|machine| algorithm.account(machine, &mut drawn))?;
-        self.finish(&shown, method, drawn, ms)
+        self.finish(shown, method, drawn, ms)
     }
 
     /// Renders a frame to warm up, and then `frames` more, or as many as begin within two seconds, but at least one.
@@ -176,9 +196,9 @@ impl<'c> Renderer<'c> {
         frames: usize,
     ) -> Result<Frame> {
         let _visit = self.machine.context().visit()?;
-        let shown = self.shown(scene, method)?;
+        let shown = self.shown(self.with_planes(scene), scene.camera, method)?;
         let scene = &*shown.scene;
-        let mut algorithm = self.prepare(&shown, method)?;
+        let mut algorithm = self.prepare(&shown, method, &mut None)?;
         self.draw(scene, algorithm.as_mut())?;
         let start = Instant::now();
         let (mut drawn, ms) = self.draw(scene, algorithm.as_mut())?;
@@ -209,11 +229,22 @@ impl<'c> Renderer<'c> {
         self.allocate_stage()?;
         let machine = &mut self.machine;
         let (context, size) = (machine.context(), machine.size());
-        machine.set_geometry(match order {
-            DrawOrder::Submission => Geometry::upload(context, scene, size)?,
-            DrawOrder::Sorted(order) => Geometry::upload_in_order(context, scene, size, order)?,
+        machine.set_geometry(match orders(order) {
+            [] => Geometry::upload(context, scene, size)?,
+            orders => Geometry::upload_in_orders(context, scene, size, orders)?,
         });
         Ok(())
+    }
+
+    /// Makes the image and the opaque depth for a scene that is uploaded, but may be drawn in another order now.
+    fn set_up_again(&mut self, scene: &Scene, held: &DrawOrder, order: &DrawOrder) -> Result<()> {
+        self.machine.free_every_map_but_the_volumes();
+        self.allocate_stage()?;
+        self.machine.look(scene);
+        match order == held {
+            true => Ok(()),
+            false => self.machine.reorder(scene, orders(order)),
+        }
     }
 
     /// Makes the image and the opaque depth, unless they are there.
@@ -222,14 +253,18 @@ impl<'c> Renderer<'c> {
         allocate_maps(machine, &[&stage::RESOURCES], self.color, self.depth)
     }
 
-    /// The scene as the method draws it: with slices instead of volumes, if it does not cast rays.
-    fn shown<'s>(&self, scene: &'s Scene, method: &dyn Technique) -> Result<Shown<'s>> {
-        let slices = slicing::slices(scene, method.entry(), self.slices)?;
+    /// The scene as the method draws it: with slices instead of volumes, if it does not cast rays. It is seen between the
+    /// planes that it is drawn with; `given` is the camera as it was given.
+    pub(super) fn shown<'s>(
+        &self,
+        scene: Cow<'s, Scene>,
+        given: Camera,
+        method: &dyn Technique,
+    ) -> Result<Shown<'s>> {
+        let slices = slicing::slices(&scene, method.entry(), self.slices)?;
         if self.inverse_w {
             inverse_w::check(method, self.depth)?;
         }
-        let given = scene.camera;
-        let scene = self.with_planes(scene);
         let (scene, sliced) = match slices {
             None => (scene, None),
             Some(count) => {
@@ -247,10 +282,7 @@ impl<'c> Renderer<'c> {
 
     /// The scene, seen between the planes that it is drawn with.
     fn with_planes<'s>(&self, scene: &'s Scene) -> Cow<'s, Scene> {
-        let camera = match scene.bounds() {
-            Some(bounds) if self.fits_planes => scene.camera.close_around(bounds),
-            _ => scene.camera,
-        };
+        let camera = self.camera(scene);
         if camera == scene.camera {
             return Cow::Borrowed(scene);
         }
@@ -260,8 +292,22 @@ impl<'c> Renderer<'c> {
         })
     }
 
-    /// Sets the method up for the scene, which is uploaded once, in the order in which the method draws it.
-    fn prepare(&mut self, shown: &Shown<'_>, method: &dyn Technique) -> Result<Box<dyn Algorithm>> {
+    /// The scene's camera with the planes that it is drawn with.
+    pub(super) fn camera(&self, scene: &Scene) -> Camera {
+        match scene.bounds() {
+            Some(bounds) if self.fits_planes => scene.camera.close_around(bounds),
+            _ => scene.camera,
+        }
+    }
+
+    /// Sets the method up for the scene, which is uploaded once, in the order in which the method draws it, unless `held`
+    /// says that it is. Slices are other geometry for every camera.
+    fn prepare(
+        &mut self,
+        shown: &Shown<'_>,
+        method: &dyn Technique,
+        held: &mut Option<DrawOrder>,
+    ) -> Result<Box<dyn Algorithm>> {
         let mut algorithm = method.algorithm(&Setup {
             color: self.color,
             depth: self.depth,
@@ -269,7 +315,13 @@ impl<'c> Renderer<'c> {
             given: shown.given,
         });
         let order = algorithm.order(&shown.scene);
-        self.set_up(&shown.scene, &order)?;
+        match held.take() {
+            Some(held) if shown.slices.is_none() => {
+                self.set_up_again(&shown.scene, &held, &order)?;
+            }
+            _ => self.set_up(&shown.scene, &order)?,
+        }
+        *held = Some(order);
         if let Some((volumes, spacing)) = &shown.sliced {
             self.machine.upload_slices(volumes, *spacing)?;
         }
@@ -335,6 +387,9 @@ impl<'c> Renderer<'c> {
             layers: drawn.layers,
             fragments,
             lost,
+            merged: drawn
+                .unmerged
+                .map(|unmerged| fragments.saturating_sub(unmerged)),
             stopped: drawn.stopped,
             peeling: drawn.peeling,
             bytes: counts.bytes,
@@ -388,6 +443,15 @@ impl<'c> Renderer<'c> {
             &mut self.machine,
         )?;
         self.machine.samples(stage::FRAGMENTS)
+    }
+}
+
+/// The orders other than the scene's own.
+fn orders(order: &DrawOrder) -> &[Vec<[u32; 2]>] {
+    match order {
+        DrawOrder::Submission => &[],
+        DrawOrder::Sorted(order) => std::slice::from_ref(order),
+        DrawOrder::InTurn(orders) => orders,
     }
 }
 

@@ -10,14 +10,26 @@ use crate::error::Result;
 /// A method with its options: its facts, and its algorithm.
 ///
 /// [`Method`](super::Method) is a technique for every published method. Each type of options is one, too. A method of
-/// one's own is one more: here light that is added up, whatever stands before it.
+/// one's own is one more, with a shader of one's own: here light that is added up, whatever stands before it, and that
+/// fades with the depth.
 ///
 /// ```
 /// use onionskin::low_level::gl::GlMachine;
 /// use onionskin::low_level::methods::{Algorithm, Drawn, Memory, Setup, Technique, Ties, Volumes};
 /// use onionskin::low_level::papers::stage::OPAQUE_FIRST;
-/// use onionskin::low_level::steps::{Dialect, Listing, Variables, gl::*, run};
+/// use onionskin::low_level::steps::{Dialect, Listing, Shader, Variables, gl::*, run};
 /// use onionskin::{Context, Entry, Renderer, Result, Scene, generate, steps};
+///
+/// const FADING: &str = r#"#version 430 core
+/// vec4 surface_color();    // what the mesh's shading says
+/// #include "common/fragment_depth.glsl"
+/// out vec4 color;
+/// void main() {
+///     STORE_DEPTH
+///     vec4 light = surface_color();
+///     color = vec4(light.rgb * light.a * (1.0 - FRAGMENT_DEPTH), 0.0);
+/// }
+/// "#;
 ///
 /// const ADD: Listing = Listing {
 ///     title: "Light adds up",
@@ -26,7 +38,8 @@ use crate::error::Result;
 ///     steps: steps! {
 ///         run OPAQUE_FIRST;
 ///         glEnable(BLEND);
-///         glBlendFuncSeparate(SRC_ALPHA, ONE, ONE, ONE);
+///         glBlendFuncSeparate(ONE, ONE, ONE, ONE);
+///         glUseProgram(Shader("my/fading"));
 ///         drawTransparentObjects();
 ///         glDisable(BLEND);
 ///     },
@@ -42,7 +55,7 @@ use crate::error::Result;
 ///             source: "my renderer",
 ///             exact: false,
 ///             exactness: "no",
-///             ties: Ties::OverEarlier,
+///             ties: Ties::Unordered,
 ///             memory: Memory::Pixels,
 ///             volumes: Volumes::Refused,
 ///             keeps: None,
@@ -56,8 +69,8 @@ use crate::error::Result;
 /// }
 ///
 /// impl Algorithm for Glow {
-///     fn prepare(&mut self, _: &mut GlMachine<'_>, _: &Scene) -> Result<()> {
-///         Ok(())
+///     fn prepare(&mut self, machine: &mut GlMachine<'_>, _: &Scene) -> Result<()> {
+///         machine.set_shader_file("my/fading.frag", FADING)
 ///     }
 ///
 ///     fn draw(&mut self, machine: &mut GlMachine<'_>, _: &Scene) -> Result<Drawn> {

@@ -9,9 +9,6 @@
 //!
 //! Excludes: multisampling; depths at or beyond the far plane, which GL clips.
 
-#[cfg(test)]
-mod tests;
-
 use super::algorithm::{Algorithm, Drawn, Setup};
 use super::allocate_maps::allocate_maps;
 use super::choice::{Choice, Setter, Takes};

@@ -19,15 +19,15 @@ use crate::error::{Error, Result, did_you_mean};
 #[derive(Clone, Debug, Default)]
 pub struct Known {
     resources: Vec<&'static Resources>,
-    shaders: Vec<&'static str>,
+    shaders: Vec<String>,
     variables: Vec<&'static str>,
 }
 
 impl Known {
     /// The names of these shaders, and nothing else. Only a machine knows which shaders exist.
-    pub fn shaders(shaders: impl IntoIterator<Item = &'static str>) -> Self {
+    pub fn shaders(shaders: impl IntoIterator<Item = impl Into<String>>) -> Self {
         Self {
-            shaders: shaders.into_iter().collect(),
+            shaders: shaders.into_iter().map(Into::into).collect(),
             ..Self::default()
         }
     }
@@ -187,10 +187,10 @@ impl Found {
 }
 
 /// Every name that may be named.
-struct Names {
+struct Names<'k> {
     maps: Vec<Map>,
     targets: Vec<&'static str>,
-    shaders: Vec<&'static str>,
+    shaders: Vec<&'k str>,
     storages: Vec<&'static str>,
     queries: Vec<&'static str>,
     variables: Vec<&'static str>,
@@ -201,8 +201,8 @@ struct Unknown {
     remedy: String,
 }
 
-impl Names {
-    fn of(known: &Known, found: &Found) -> Self {
+impl<'k> Names<'k> {
+    fn of(known: &'k Known, found: &Found) -> Self {
         let all = known.resources.iter();
         let targets = all
             .clone()
@@ -213,7 +213,7 @@ impl Names {
         Self {
             maps: known.maps(),
             targets: targets.collect(),
-            shaders: known.shaders.clone(),
+            shaders: known.shaders.iter().map(String::as_str).collect(),
             storages: storages.collect(),
             queries: found.begun.iter().map(|(query, _)| query.0).collect(),
             variables: given.chain(&found.set).copied().collect(),

@@ -1,7 +1,7 @@
 //! What the methods lose that take one pass and the memory of a few numbers for each pixel, on bundled scenes.
 
-use onionskin::image::Comparison;
-use onionskin::methods::{MultiLayerOptions, Nodes, Weight, WeightedBlendedOptions};
+use onionskin::low_level::image::Comparison;
+use onionskin::low_level::methods::{MultiLayerOptions, Nodes, Weight, WeightedBlendedOptions};
 use onionskin::{Context, Frame, Method};
 
 use crate::kit::render::{example, render};

@@ -1,9 +1,9 @@
 //! How often scenes are uploaded: once, wherever only the camera moves, and never while a frame is drawn.
 
 use glam::DVec3;
-use onionskin::methods::{CoherentOptions, CountBy, Variant, registry};
-use onionskin::scene::Camera;
-use onionskin::scene::generate::{Soup, soup};
+use onionskin::low_level::methods::{CoherentOptions, CountBy, Variant, registry};
+use onionskin::low_level::scene::Camera;
+use onionskin::low_level::scene::generate::{Soup, soup};
 use onionskin::{Context, Method, Renderer, Scene};
 
 use crate::kit::fog_scenes::random_scene;

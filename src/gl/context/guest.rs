@@ -93,7 +93,7 @@ impl Context {
         self.uploads.get()
     }
 
-    pub(in crate::gl) fn count_upload(&self) {
+    pub(in crate::low_level::gl) fn count_upload(&self) {
         self.uploads.set(self.uploads.get() + 1);
     }
 

@@ -1,26 +1,15 @@
-//! What shaders declare about themselves, in comment lines:
-//!
-//! | line | in | says |
-//! | --- | --- | --- |
-//! | `// vertex: screen.vert` | a fragment shader | its vertex shader; without the line `geometry.vert` |
-//! | `// draws: screen` | a vertex shader | its programs cover the screen; without the line they draw surfaces |
-//! | `// looks at: classic state` | a vertex shader | its programs are given what classic calls have set |
-//! | `// defines: method` | any file | what includes it is compiled with the defines of the method that runs |
-//!
-//! So a new shader is a new file, in whatever folder.
+//! What shaders declare about themselves, in the comment lines that
+//! [`set_shader_file`](crate::gl::GlMachine::set_shader_file) lists. So a new shader is a new file, in whatever folder.
 
-use std::collections::HashMap;
-use std::sync::LazyLock;
-
-use super::{FILES, Source};
-use crate::error::{Error, Result};
+use super::{Files, Source};
+use crate::error::{Error, Result, did_you_mean};
 use crate::steps::Shader;
 
 /// What a fragment shader, its vertex shader and whatever they include declare.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub(in crate::low_level::gl) struct Declared {
     /// The file of its vertex shader.
-    pub(in crate::low_level::gl) vertex: &'static str,
+    pub(in crate::low_level::gl) vertex: String,
     /// It covers the screen, rather than to draw surfaces.
     pub(in crate::low_level::gl) draws_screen: bool,
     /// It looks at what classic calls have set.
@@ -29,41 +18,31 @@ pub(in crate::low_level::gl) struct Declared {
     pub(in crate::low_level::gl) takes_defines: bool,
 }
 
-/// What a shader declares.
-///
-/// # Errors
-/// There is no such shader.
-pub(in crate::low_level::gl) fn declared(Shader(name): Shader) -> Result<Declared> {
-    // Every shader's declarations, read once.
-    static SHADERS: LazyLock<HashMap<&str, Declared>> = LazyLock::new(|| {
-        let fragment = |(file, _): &(&'static str, _)| file.strip_suffix(".frag");
-        let shaders = FILES.iter().filter_map(fragment);
-        shaders.map(|name| (name, read(name))).collect()
-    });
-    SHADERS.get(name).copied().ok_or_else(|| Error::Shader {
-        file: format!("{name}.frag"),
-        log: format!("there is no file {name}.frag in glsl/"),
-    })
-}
-
-fn read(name: &str) -> Declared {
-    let fragment = text(&format!("{name}.frag"));
-    let named = value(&fragment, "vertex").unwrap_or("geometry.vert");
-    // The name as the table has it, which outlives the text. One that is not in the table is said where it is linked.
-    let in_table = FILES.iter().find(|(file, _)| *file == named);
-    let vertex = in_table.map_or("a vertex shader that does not exist", |(file, _)| file);
-    let of_vertex = text(vertex);
-    Declared {
-        vertex,
-        draws_screen: value(&of_vertex, "draws") == Some("screen"),
-        is_classic: value(&of_vertex, "looks at") == Some("classic state"),
-        takes_defines: value(&fragment, "defines") == Some("method"),
+impl Declared {
+    /// What a shader declares.
+    ///
+    /// # Errors
+    /// There is no such shader, or a file that it names does not exist.
+    pub(in crate::low_level::gl) fn read(files: &Files, Shader(name): Shader) -> Result<Self> {
+        let file = format!("{name}.frag");
+        if files.text(&file).is_none() {
+            return Err(Error::UnknownShader {
+                shader: name.into(),
+                remedy: did_you_mean(name, &files.shaders().collect::<Vec<_>>()),
+            });
+        }
+        let Source { text: fragment, .. } = Source::load_with(files, &file, &[])?;
+        let vertex = value(&fragment, "vertex").unwrap_or("geometry.vert");
+        let Source {
+            text: of_vertex, ..
+        } = Source::load_with(files, vertex, &[])?;
+        Ok(Self {
+            vertex: vertex.into(),
+            draws_screen: value(&of_vertex, "draws") == Some("screen"),
+            is_classic: value(&of_vertex, "looks at") == Some("classic state"),
+            takes_defines: value(&fragment, "defines") == Some("method"),
+        })
     }
-}
-
-/// A file's text, its includes in place. One that cannot be read is said where it is compiled.
-fn text(file: &str) -> String {
-    Source::load_with(file, &[]).map_or_else(|_| String::new(), |source| source.text)
 }
 
 fn value<'a>(text: &'a str, key: &str) -> Option<&'a str> {
@@ -75,26 +54,31 @@ fn value<'a>(text: &'a str, key: &str) -> Option<&'a str> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::files::EMBEDDED;
     use super::*;
+
+    fn declared(name: &'static str) -> Result<Declared> {
+        Declared::read(&Files::default(), Shader(name))
+    }
 
     #[test]
     fn a_shader_is_what_its_lines_say() {
-        let of = |name| declared(Shader(name)).unwrap();
+        let of = |name| declared(name).unwrap();
         let surface = Declared {
-            vertex: "geometry.vert",
+            vertex: "geometry.vert".into(),
             draws_screen: false,
             is_classic: false,
             takes_defines: false,
         };
         assert_eq!(of("peel"), surface);
         let layer = Declared {
-            vertex: "screen.vert",
+            vertex: "screen.vert".into(),
             draws_screen: true,
-            ..surface
+            ..surface.clone()
         };
         assert_eq!(of("layer"), layer);
         let fixed = Declared {
-            vertex: "classic/vertex.vert",
+            vertex: "classic/vertex.vert".into(),
             is_classic: true,
             ..surface
         };
@@ -105,20 +89,50 @@ mod tests {
     }
 
     #[test]
-    fn a_shader_that_does_not_exist_is_an_error_that_names_its_file() {
-        let error = declared(Shader("peal")).unwrap_err().to_string();
-        assert!(error.contains("peal.frag"), "{error}");
+    fn a_shader_that_does_not_exist_is_an_error_that_names_what_was_meant() {
+        let error = declared("peal").unwrap_err().to_string();
+        assert!(
+            error.contains("'peal'") && error.contains("'peel'"),
+            "{error}"
+        );
+    }
+
+    #[test]
+    fn an_own_shader_is_what_its_lines_say_and_its_vertex_shader_may_be_one_s_own() {
+        let version = "#version 430 core\n";
+        let mut files = Files::default();
+        files.set("part.glsl", "// defines: method\n").unwrap();
+        files
+            .set(
+                "mine.frag",
+                &format!("{version}// vertex: mine.vert\n#include \"part.glsl\"\n"),
+            )
+            .unwrap();
+        let error = Declared::read(&files, Shader("mine"))
+            .unwrap_err()
+            .to_string();
+        assert!(error.contains("mine.vert"), "{error}");
+        files
+            .set("mine.vert", &format!("{version}// draws: screen\n"))
+            .unwrap();
+        let expected = Declared {
+            vertex: "mine.vert".into(),
+            draws_screen: true,
+            is_classic: false,
+            takes_defines: true,
+        };
+        assert_eq!(Declared::read(&files, Shader("mine")).unwrap(), expected);
     }
 
     #[test]
     fn every_declaration_is_one_that_is_read() {
-        for (file, text) in FILES {
+        for (file, text) in EMBEDDED {
             for line in text.lines().filter_map(|line| line.strip_prefix("// ")) {
                 let Some((key, value)) = line.split_once(": ") else {
                     continue;
                 };
                 let known = match key {
-                    "vertex" => FILES.iter().any(|(file, _)| *file == value),
+                    "vertex" => EMBEDDED.iter().any(|(file, _)| *file == value),
                     "draws" => value == "screen",
                     "looks at" => value == "classic state",
                     "defines" => value == "method",
@@ -135,7 +149,7 @@ mod tests {
     fn a_file_that_asks_for_a_define_of_the_method_declares_it() {
         const OF_EVERY_PROGRAM: [&str; 3] = ["INVERSE_W", "VOLUMES", "POINTS"];
         let mut asking = 0;
-        for (file, text) in FILES {
+        for (file, text) in EMBEDDED {
             let conditions = text.lines().filter(|line| {
                 let directives = ["#if", "#elif"];
                 directives

@@ -1,16 +1,13 @@
 //! Against the algorithm in f64, which shares nothing with the shaders, and against the exact image.
 
 use glam::DVec3;
-use rand::Rng;
-use rand_pcg::Pcg32;
+use onionskin::low_level::fragment::Rgba;
+use onionskin::low_level::methods::{CountBy, MultiLayerOptions, Nodes, Technique};
+use onionskin::low_level::scene::{Camera, Mesh, Scene, Vertex};
+use onionskin::{Context, Frame, Image, Method, Renderer};
 
-use super::{ENTRY, MultiLayerOptions, Nodes};
-use crate::fragment::Rgba;
-use crate::gl::Context;
-use crate::gl::glsl::changed::{Change, changing};
-use crate::image::Image;
-use crate::methods::{CountBy, Method, Renderer};
-use crate::scene::{Camera, Mesh, Scene, Vertex};
+use crate::kit::chance::Chance;
+use crate::kit::changed::{Change, with_change};
 
 /// What a fragment adds to the error of a channel, at most. It is interpolated (4 roundings each for colour and opacity),
 /// premultiplied, its transmittance taken and both packed (4), perhaps merged and packed again (3 and 2), and composited
@@ -36,7 +33,7 @@ struct Sheet {
 
 /// Sheets that fill the view, in a random order, each at a distance of its own. So much comes through each that the last
 /// ones can be seen.
-fn stack(chance: &mut Pcg32, count: usize) -> Vec<Sheet> {
+fn stack(chance: &mut Chance, count: usize) -> Vec<Sheet> {
     let mut sheets: Vec<Sheet> = Vec::new();
     for number in 0..count {
         let sheet = Sheet {
@@ -45,15 +42,15 @@ fn stack(chance: &mut Pcg32, count: usize) -> Vec<Sheet> {
             color: [(); 3].map(|()| part(chance)),
             alpha: part(chance) / 2.0,
         };
-        let place = chance.next_u32() as usize % (number + 1);
+        let place = chance.below(number + 1);
         sheets.insert(place, sheet);
     }
     sheets
 }
 
 /// From 0 to 1, in steps that f32 has.
-fn part(chance: &mut Pcg32) -> f32 {
-    (chance.next_u32() % 257) as f32 / 256.0
+fn part(chance: &mut Chance) -> f32 {
+    chance.below(257) as f32 / 256.0
 }
 
 /// The sheets are submitted in their order.
@@ -88,8 +85,9 @@ fn scene(sheets: &[Sheet]) -> Scene {
 
 /// Nothing on a driver that does not run the method.
 fn renderer(context: &Context) -> Option<Renderer<'_>> {
-    if !ENTRY.runs_on(context.driver()) {
-        println!("skipped: this driver has none of {:?}", ENTRY.needs);
+    let entry = MultiLayerOptions::default().entry();
+    if !entry.runs_on(context.driver()) {
+        println!("skipped: this driver has none of {:?}", entry.needs);
         return None;
     }
     Some(
@@ -99,12 +97,16 @@ fn renderer(context: &Context) -> Option<Renderer<'_>> {
     )
 }
 
-fn rendered(renderer: &mut Renderer<'_>, sheets: &[Sheet], nodes: Nodes) -> Image {
+fn frame(renderer: &mut Renderer<'_>, sheets: &[Sheet], nodes: Nodes) -> Frame {
     let method = MultiLayerOptions { nodes };
     let frame = renderer.render(&scene(sheets), &method).unwrap();
     assert_eq!(frame.stats.lost, Some(0));
     assert_eq!(frame.stats.geometry_passes, 1);
-    frame.image
+    frame
+}
+
+fn rendered(renderer: &mut Renderer<'_>, sheets: &[Sheet], nodes: Nodes) -> Image {
+    frame(renderer, sheets, nodes).image
 }
 
 /// A stack's colour, which is the same at every pixel.
@@ -119,11 +121,17 @@ type Node = (f64, [f64; 3], f64);
 
 /// The algorithm, over the wall.
 fn model(sheets: &[Sheet], most: usize) -> [f64; 3] {
+    model_and_merged(sheets, most).0
+}
+
+/// And how many nodes it has merged into another.
+fn model_and_merged(sheets: &[Sheet], most: usize) -> ([f64; 3], u64) {
     let under = |(depth, near, through): Node, (_, far, rest): Node| {
         let color = [0, 1, 2].map(|channel| near[channel] + through * far[channel]);
         (depth, color, through * rest)
     };
     let mut nodes: Vec<Node> = Vec::new();
+    let mut merged = 0;
     for sheet in sheets {
         let alpha = f64::from(sheet.alpha);
         let color = sheet.color.map(|channel| f64::from(channel) * alpha);
@@ -133,10 +141,11 @@ fn model(sheets: &[Sheet], most: usize) -> [f64; 3] {
             let farthest = nodes.pop().unwrap();
             let last = nodes.pop().unwrap();
             nodes.push(under(last, farthest));
+            merged += 1;
         }
     }
     nodes.push((f64::INFINITY, WALL, 0.0));
-    nodes.into_iter().reduce(under).unwrap().1
+    (nodes.into_iter().reduce(under).unwrap().1, merged)
 }
 
 fn bound(sheets: &[Sheet]) -> f64 {
@@ -155,7 +164,7 @@ fn the_image_of_random_stacks_is_the_algorithms() {
     let Some(mut renderer) = renderer(&context) else {
         return;
     };
-    let mut chance = Pcg32::new(1, 54);
+    let mut chance = Chance::new(1);
     for nodes in ALL {
         let mut most = 0.0_f64;
         for (count, pairs) in (1..=20).flat_map(|count| [(count, false), (count, true)]) {
@@ -163,9 +172,12 @@ fn the_image_of_random_stacks_is_the_algorithms() {
             for sheet in sheets.iter_mut().filter(|_| pairs) {
                 sheet.distance = 2.0 + (sheet.distance / 2.0).floor();
             }
-            let found = color(&rendered(&mut renderer, &sheets, nodes));
-            let off = off(found, model(&sheets, nodes as usize));
+            let frame = frame(&mut renderer, &sheets, nodes);
+            let (expected, merged) = model_and_merged(&sheets, nodes as usize);
+            let off = off(color(&frame.image), expected);
             assert!(off <= bound(&sheets), "{nodes:?}: {off} with {sheets:?}");
+            let pixels = u64::from(SIDE * SIDE);
+            assert_eq!(frame.stats.merged, Some(pixels * merged), "{sheets:?}");
             most = most.max(off);
         }
         println!("{nodes:?}: off by at most {most:.1e}");
@@ -199,7 +211,7 @@ fn a_changed_word_in_the_shaders_or_another_count_of_nodes_is_noticed() {
     if renderer(&context).is_none() {
         return;
     }
-    let mut chance = Pcg32::new(2, 54);
+    let mut chance = Chance::new(2);
     let stacks: Vec<_> = (0..16).map(|_| stack(&mut chance, 12)).collect();
     let most_off = |renderer: &mut Renderer<'_>, nodes, expected: usize| {
         let off = stacks.iter().map(|sheets| {
@@ -209,10 +221,8 @@ fn a_changed_word_in_the_shaders_or_another_count_of_nodes_is_noticed() {
         off.fold(0.0, |a: f64, b| if b <= a { a } else { b })
     };
     let with = |change, nodes, expected| {
-        // Programs that are linked do not change: each renderer links its own.
-        changing(change, || {
-            most_off(&mut renderer(&context).unwrap(), nodes, expected)
-        })
+        let mut changed = with_change(renderer(&context).unwrap(), change);
+        most_off(&mut changed, nodes, expected)
     };
     for nodes in ALL {
         let unchanged = [NODE, "bytes.y << 8", "bytes.y << 8"];
@@ -225,6 +235,28 @@ fn a_changed_word_in_the_shaders_or_another_count_of_nodes_is_noticed() {
     }
 }
 
+#[test]
+fn a_changed_word_in_the_count_of_what_was_merged_is_noticed() {
+    let context = Context::headless().unwrap();
+    if renderer(&context).is_none() {
+        return;
+    }
+    let mut chance = Chance::new(7);
+    let sheets = stack(&mut chance, 6);
+    for (change, merged) in [
+        (["multi_layer/taken.frag", "== NO_DEPTH", "== NO_DEPTH"], 2),
+        (["multi_layer/taken.frag", "== NO_DEPTH", "!= NO_DEPTH"], 6),
+    ] {
+        let mut renderer = with_change(renderer(&context).unwrap(), change);
+        let counted = frame(&mut renderer, &sheets, Nodes::Four).stats.merged;
+        assert_eq!(counted, Some(u64::from(SIDE * SIDE) * merged), "{change:?}");
+    }
+    let without_costs = renderer(&context).unwrap().without_costs();
+    let mut renderer = without_costs;
+    let stats = frame(&mut renderer, &sheets, Nodes::Four).stats;
+    assert_eq!(stats.merged, None);
+}
+
 /// Pixels with more fragments than nodes stand beside them, and differ.
 #[test]
 fn a_pixel_with_no_more_fragments_than_nodes_is_exact() {
@@ -232,7 +264,7 @@ fn a_pixel_with_no_more_fragments_than_nodes_is_exact() {
     let Some(mut renderer) = renderer(&context) else {
         return;
     };
-    let mut chance = Pcg32::new(3, 54);
+    let mut chance = Chance::new(3);
     for nodes in ALL {
         let mut pixels = [0; 2];
         let mut inexact = 0;
@@ -244,8 +276,12 @@ fn a_pixel_with_no_more_fragments_than_nodes_is_exact() {
             let scene = scene(&sheets);
             let exact = renderer.render(&scene, &Method::Exact).unwrap().image;
             let counted = renderer.complexity(&scene, CountBy::default()).unwrap();
-            let image = rendered(&mut renderer, &sheets, nodes);
-            let both = image.pixels.iter().zip(&exact.pixels);
+            let frame = frame(&mut renderer, &sheets, nodes);
+            // A pixel keeps as many fragments as it has nodes.
+            let beyond = |&count: &u32| u64::from(count.saturating_sub(nodes as u32));
+            let merged = counted.counts.iter().map(beyond).sum();
+            assert_eq!(frame.stats.merged, Some(merged));
+            let both = frame.image.pixels.iter().zip(&exact.pixels);
             for ((found, exact), &fragments) in both.zip(&counted.counts) {
                 let [found, exact] = [found, exact].map(|p| [p.r, p.g, p.b].map(f64::from));
                 let off = off(found, exact);
@@ -268,7 +304,7 @@ fn the_order_of_submission_makes_a_difference_only_beyond_the_nodes() {
     let Some(mut renderer) = renderer(&context) else {
         return;
     };
-    let mut chance = Pcg32::new(4, 54);
+    let mut chance = Chance::new(4);
     for nodes in ALL {
         let most = nodes as usize;
         for (count, differs) in [(most, false), (most + 4, true)] {
@@ -296,16 +332,16 @@ fn of_fragments_at_one_depth_the_first_submitted_lies_in_front() {
     if renderer(&context).is_none() {
         return;
     }
-    let mut chance = Pcg32::new(6, 54);
+    let mut chance = Chance::new(6);
     let mut sheets = stack(&mut chance, 4);
     // The last one comes in front of the others and moves them.
     for (sheet, distance) in sheets.iter_mut().zip([7.0, 7.0, 7.0, 3.0]) {
         sheet.distance = distance;
     }
     let off = |to, nodes| {
-        let found = changing([INSERT, "moves || farther.x < here.x", to], || {
-            rendered(&mut renderer(&context).unwrap(), &sheets, nodes)
-        });
+        let change = [INSERT, "moves || farther.x < here.x", to];
+        let mut changed = with_change(renderer(&context).unwrap(), change);
+        let found = rendered(&mut changed, &sheets, nodes);
         off(color(&found), model(&sheets, nodes as usize))
     };
     for nodes in ALL {
@@ -324,7 +360,7 @@ fn what_comes_through_is_right_beyond_the_nodes() {
     let Some(mut renderer) = renderer(&context) else {
         return;
     };
-    let mut chance = Pcg32::new(5, 54);
+    let mut chance = Chance::new(5);
     let mut sheets = stack(&mut chance, 20);
     for sheet in &mut sheets {
         sheet.color = [0.0; 3];

@@ -2,12 +2,12 @@
 
 use glam::DVec3;
 
-use super::{Weight, WeightedBlendedOptions};
-use crate::fragment::Rgba;
-use crate::gl::Context;
-use crate::gl::glsl::changed::{Change, changing};
-use crate::methods::{Method, Renderer};
-use crate::scene::{Camera, Mesh, Scene, Vertex};
+use onionskin::low_level::fragment::Rgba;
+use onionskin::low_level::methods::{Weight, WeightedBlendedOptions};
+use onionskin::low_level::scene::{Camera, Mesh, Scene, Vertex};
+use onionskin::{Context, Method, Renderer};
+
+use crate::kit::changed::{Change, with_change};
 
 /// Fourteen roundings of 2^-24 in each weight and its colour, as many in the sums of six fragments, and the rasteriser's
 /// 1/w to 2^-20 of itself, of which a weight has up to the sixth power: 6 x 2^-20 + 28 x 2^-24 = 8e-6.
@@ -60,11 +60,10 @@ fn scene(sheets: &[Sheet]) -> Scene {
 
 /// The image's colour, which is everywhere the same.
 fn rendered(context: &Context, sheets: &[Sheet], method: &Method, change: Change) -> [f64; 3] {
-    let frame = changing(change, || {
-        let renderer = Renderer::new(context, 8, 8).unwrap();
-        let mut renderer = renderer.with_given_planes();
-        renderer.render(&scene(sheets), method).unwrap()
-    });
+    let renderer = Renderer::new(context, 8, 8).unwrap().with_given_planes();
+    let frame = with_change(renderer, change)
+        .render(&scene(sheets), method)
+        .unwrap();
     assert_eq!(frame.stats.fragments, 64 * sheets.len() as u64);
     assert_eq!(frame.stats.lost, Some(0));
     assert_eq!(frame.stats.geometry_passes, 1);

@@ -1,22 +1,14 @@
-//! Negative controls: shaders of volumes with one changed word. A comparison of `tests/gl/fused.rs` or
-//! `tests/gl/slices.rs` must refuse each of them.
+//! Negative controls: shaders of volumes with one changed word. A comparison of `fused.rs` or `slices.rs` must refuse each
+//! of them.
 
-#[path = "../../tests/kit/fog_scenes.rs"]
-#[allow(dead_code)]
-mod fog_scenes;
-#[path = "../../tests/kit/slack.rs"]
-#[allow(dead_code)]
-mod slack;
+use onionskin::low_level::methods::{ABufferOptions, RecordColor};
+use onionskin::low_level::scene::Scene;
+use onionskin::{Context, Frame, Method, Renderer};
 
-use fog_scenes::{fog_and_pane, off, random_scene};
-
-use super::{ABufferOptions, Frame, Method, RecordColor, Renderer};
-use crate::gl::Context;
-use crate::gl::glsl::changed::{Change, changing};
-use crate::scene::Scene;
-
-/// The issue's, as in `tests/gl/fused.rs`.
-const BOUND: f64 = 1e-4;
+use crate::fused::BOUND;
+use crate::kit::changed::{Change, with_change};
+use crate::kit::fog_scenes::{fog_and_pane, off, random_scene};
+use crate::kit::slack;
 
 const RAY: &str = "a_buffer/volume_ray.glsl";
 const VIEW: &str = "common/view_ray.glsl";
@@ -63,14 +55,11 @@ fn rays() -> Method {
     })
 }
 
-/// A separate machine, so that no program is linked yet.
 fn render(context: &Context, scene: &Scene, method: &Method, change: Change) -> Frame {
     let [width, height] = scene.size;
-    changing(change, || {
-        let renderer = Renderer::new(context, width, height).unwrap();
-        let mut renderer = renderer.with_slices(24).unwrap();
-        renderer.render(scene, method).unwrap()
-    })
+    let renderer = Renderer::new(context, width, height).unwrap();
+    let mut renderer = with_change(renderer.with_slices(24).unwrap(), change);
+    renderer.render(scene, method).unwrap()
 }
 
 /// The error of fog and a pane relative to exp(-sigma L), with fewer samples than their size allows.
@@ -151,7 +140,7 @@ fn l16_slices_with_a_changed_word_are_not_the_fused_image_s() {
     let fused = render(&context, &scene, &rays(), NONE);
     let rms = |change| {
         let frame = render(&context, &scene, &hybrid, change);
-        crate::image::Comparison::new(&frame.image, &fused.image, 0.0)
+        onionskin::low_level::image::Comparison::new(&frame.image, &fused.image, 0.0)
             .unwrap()
             .rms
     };
