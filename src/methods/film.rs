@@ -13,8 +13,7 @@ use crate::scene::{Camera, Scene};
 /// again, in the order of the new view, and only slices of volumes are made and uploaded for every camera.
 ///
 /// ```
-/// use onionskin::scene::generate;
-/// use onionskin::{Context, Method, Renderer, Scene};
+/// use onionskin::{Context, Method, Renderer, Scene, generate};
 ///
 /// let context = Context::headless()?;
 /// let mut renderer = Renderer::new(&context, 64, 48)?;

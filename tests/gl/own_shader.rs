@@ -9,7 +9,7 @@ use onionskin::low_level::scene::generate::{Quads, quads};
 use onionskin::low_level::steps::{Amendment, Dialect, Listing, Shader, Variables, gl::*, run};
 use onionskin::{Context, Error, Image, Method, Renderer, Result, Scene, steps};
 
-use crate::kit::changed::{changed, with_change};
+use crate::kit::changed::changed;
 
 /// A method that draws the surfaces with one shader of its own, and then the screen with another.
 #[derive(Clone, Copy, Debug)]
@@ -230,12 +230,4 @@ fn a_published_listing_runs_with_an_own_shader() {
     let darker = peel.replace("surface_color();\n}", "surface_color() * 0.5;\n}");
     assert_ne!(darker, peel);
     assert_ne!(image(&darker), as_it_is);
-}
-
-#[test]
-#[should_panic(expected = "no such word")]
-fn a_word_that_is_not_there_cannot_be_changed() {
-    let context = Context::headless().unwrap();
-    let renderer = Renderer::new(&context, 8, 8).unwrap();
-    with_change(renderer, ["peel.frag", "no such word", ""]);
 }

@@ -102,7 +102,7 @@ impl ABuffer {
     /// The shaders' defines.
     fn defines(&self, machine: &GlMachine<'_>, insertion: bool) -> Vec<(&'static str, u32)> {
         let options = &self.options;
-        let renderer = &machine.context().driver().renderer;
+        let quirks = machine.context().driver().quirks();
         let yes = u32::from;
         // Elements beyond the deepest pixel's are empty, and a network need not compare them.
         let deepest = match insertion {
