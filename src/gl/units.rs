@@ -6,9 +6,13 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::bindings;
 use super::glsl::{Files, Source};
 use super::shaders;
+use crate::papers::carr_2008::ideal;
 use crate::papers::papers;
+use crate::papers::stage::OPAQUE_DEPTH;
+use crate::steps;
 use crate::steps::{
-    Amendment, Call, Listing, Recorder, Shader, Text, Variables, free_variables, run,
+    Amendment, Call, DepthUnits, Dialect, Listing, Recorder, Shader, Text, Variables,
+    free_variables, run,
 };
 
 /// The kinds of what is bound, each with numbers of its own.
@@ -33,6 +37,26 @@ const BY_THE_MACHINE: [(&str, u32); 8] = [
     ("rectangle", bindings::PLAIN_RECTANGLE),
     ("shadow_rectangle", bindings::SHADOW_RECTANGLE),
 ];
+
+/// What a text's shaders declare and the text does not bind, with what does.
+const ELSEWHERE: [(&str, &[&str], &str); 6] = [
+    (
+        "carr/pass-6",
+        &["lower", "opaque", "other_upper", "upper"],
+        "pass 5, whose shader has the same",
+    ),
+    (
+        "carr/ideal",
+        &["depths_image", "image_image", "peel_image"],
+        "BY_IMAGES, where images are used in place of framebuffer fetch",
+    ),
+    ("lindholm/complexity-image", &["opaque"], RAYS),
+    ("lindholm/clear-and-fill", &["opaque"], RAYS),
+    ("lindholm/resolve", &["Offsets", "opaque"], OFFSETS),
+    ("lindholm/pp-ao", &["Offsets", "opaque"], OFFSETS),
+];
+const RAYS: &str = "OPAQUE_ENDS_RAYS, where there are volumes or depths are 1/w";
+const OFFSETS: &str = "BEGIN_AT_OFFSETS in the Fill Step, and OPAQUE_ENDS_RAYS";
 
 /// The declarations of a shader's text with its includes, whatever it is compiled with.
 fn declared(text: &str) -> Vec<Declared> {
@@ -65,12 +89,12 @@ fn text(shader: &str) -> String {
     source.expect("it is embedded").text
 }
 
-/// What the shaders of a listing declare and nothing has bound when they draw, a line each.
+/// What the shaders of a listing declare and nothing has bound when they draw: the shader and the name.
 fn unbound(
     listing: &Listing,
     amendments: &[Amendment],
     declarations: &BTreeMap<&str, Vec<Declared>>,
-) -> BTreeSet<String> {
+) -> BTreeSet<(&'static str, String)> {
     let free = free_variables(listing, amendments);
     // As many rounds as bind everything; ratios of nothing, so that no loop ends before.
     let rounds = |name: &str| {
@@ -84,7 +108,8 @@ fn unbound(
         variables.with(name, rounds(name))
     });
     let mut recorder = Recorder::new().answering_every_query(1);
-    run(listing, amendments, variables, &mut recorder).unwrap();
+    let mut machine = DepthUnits::new(&mut recorder);
+    run(listing, amendments, variables, &mut machine).unwrap();
     let (mut unit, mut current) = (0, None);
     let mut bound = BTreeSet::new();
     let mut found = BTreeSet::new();
@@ -104,7 +129,7 @@ fn unbound(
                 for (kind, number, name) in &declarations[shader] {
                     let by_the_machine = BY_THE_MACHINE.contains(&(name, *number));
                     if !by_the_machine && !bound.contains(&(*kind, *number)) {
-                        found.insert(format!("{shader} declares {name}: {kind:?} {number}"));
+                        found.insert((shader, name.clone()));
                     }
                 }
             }
@@ -120,22 +145,45 @@ fn declarations() -> BTreeMap<&'static str, Vec<Declared>> {
         .collect()
 }
 
-/// Texts that begin with the opaque image are whole algorithms: what they draw with, they bind.
 #[test]
 fn a_listing_binds_whatever_its_shaders_declare() {
     let declarations = declarations();
-    let mut whole = 0;
+    let mut listings = 0;
     for paper in papers() {
         for (key, text) in paper.texts {
             let Text::Listing(listing, amendments) = text else {
                 continue;
             };
             let unbound = unbound(listing, amendments, &declarations);
-            println!("{}/{key}: {unbound:?}", paper.key);
-            whole += 1;
+            let names: BTreeSet<&str> = unbound.iter().map(|(_, name)| name.as_str()).collect();
+            let text = format!("{}/{key}", paper.key);
+            let elsewhere = ELSEWHERE.iter().find(|(other, ..)| *other == text);
+            let elsewhere = elsewhere.map_or(&[][..], |(_, names, _)| names);
+            let expected = elsewhere.iter().copied().collect();
+            assert_eq!(names, expected, "{text}: {unbound:?}");
+            listings += 1;
         }
     }
-    assert!(whole > 20, "{whole}");
+    assert!(listings > 20, "{listings}");
+    let by_images = unbound(&ideal::IDEAL, &ideal::BY_IMAGES, &declarations);
+    assert!(by_images.is_empty(), "{by_images:?}");
+}
+
+#[test]
+fn a_unit_that_a_listing_forgets_is_noticed() {
+    let forgets = Listing {
+        title: "A layer that is not bound",
+        source: "a test",
+        dialect: Dialect::Calls,
+        steps: steps! {
+            glUseProgram(Shader("layer"));
+            glActiveTexture(3);
+            glBindTexture(OPAQUE_DEPTH);
+            drawScreen();
+        },
+    };
+    let unbound = unbound(&forgets, &[], &declarations());
+    assert_eq!(unbound, BTreeSet::from([("layer", "picture".into())]));
 }
 
 #[test]
@@ -145,9 +193,12 @@ fn every_sampler_and_image_says_its_number_and_shares_it_with_no_other() {
         let text = text(name);
         let all = declared(&text);
         let is_declaration = |line: &&str| {
-            line.contains("uniform ") && (line.contains("sampler") || line.contains("image2D"))
+            let is_bound = line.contains("sampler") || line.contains("image2D");
+            // The machine tells this one its unit by a uniform.
+            line.contains("uniform ") && is_bound && !line.contains("unsigned_hilo")
         };
-        let lines = text.lines().filter(is_declaration).count();
+        let code = text.lines().filter_map(|line| line.split("//").next());
+        let lines = code.filter(is_declaration).count();
         let bound = all
             .iter()
             .filter(|(kind, ..)| *kind != Kind::Buffer)

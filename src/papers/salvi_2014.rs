@@ -126,6 +126,7 @@ pub const COUNT_TAKEN: Listing = Listing {
     source: "onionskin",
     dialect: Dialect::Calls,
     steps: steps! {
+        edition "what the method has left of the fragments";
         glBindFramebuffer(stage::COMPOSITE);
         glColorMask(false, false, false, false);
         glDisable(DEPTH_TEST);
