@@ -2,8 +2,9 @@
 
 use super::a_buffer::expect_stencil;
 use super::algorithm::DrawOrder;
+use super::frame::Frame;
 use super::proxies::proxies;
-use super::renderer::{Frame, Renderer};
+use super::renderer::Renderer;
 use super::technique::Technique;
 use crate::error::Result;
 use crate::gl::Format;

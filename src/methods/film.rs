@@ -4,7 +4,8 @@ use std::borrow::Cow;
 
 use super::algorithm::DrawOrder;
 use super::complexity::{Complexity, CountBy};
-use super::renderer::{Frame, Renderer};
+use super::frame::Frame;
+use super::renderer::Renderer;
 use super::technique::Technique;
 use crate::error::Result;
 use crate::scene::{Camera, Scene};

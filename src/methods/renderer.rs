@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use super::algorithm::{Algorithm, Composited, DrawOrder, Drawn, Setup};
 use super::allocate_maps::allocate_maps;
-use super::hanging::Hanging;
+use super::frame::{Frame, Layer};
 use super::proxies::proxies;
 use super::stats::Stats;
 use super::technique::Technique;
@@ -38,32 +38,6 @@ pub struct Renderer<'c> {
     counts_costs: bool,
     fits_planes: bool,
     inverse_w: bool,
-}
-
-/// An image and its facts.
-#[derive(Clone, Debug)]
-pub struct Frame {
-    /// The image.
-    pub image: Image,
-    /// The layers, nearest first, if the method keeps them.
-    pub layers: Vec<Layer>,
-    /// Which pixels hang on depths that a depth buffer cannot tell apart, if the method is [`Method::Exact`](super::Method::Exact).
-    pub hanging: Option<Hanging>,
-    /// The counts, and the time.
-    pub stats: Stats,
-    /// Notes for the caller about things that do not affect the image: errors that OpenGL had pending before the frame,
-    /// in someone else's context.
-    pub notices: Vec<String>,
-}
-
-/// A peeled layer.
-#[derive(Clone, Debug)]
-pub struct Layer {
-    /// The colours, with straight alpha. All channels are 0 at a pixel without a fragment of the layer.
-    pub color: Image,
-    /// Window-space depth, row by row from the top. At a pixel without a fragment of the layer, it is the depth from
-    /// which the peel started: the opaque surface's, or 1.
-    pub depth: Vec<f32>,
 }
 
 /// A scene in the form in which a method draws it.

@@ -65,7 +65,8 @@ fn a_frame_s_camera_is_that_of_its_scene() {
         assert_eq!(animation.camera(frame).unwrap(), scene.camera);
     }
     assert!(animation.camera(5).is_err());
-    assert_eq!(animation.spans(0..5), [0..5]);
+    let spans = animation.spans(0..5);
+    assert!(spans.into_iter().eq(std::iter::once(0..5)));
 }
 
 #[test]

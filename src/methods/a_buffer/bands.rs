@@ -253,8 +253,10 @@ mod tests {
 
     #[test]
     fn few_triangles_come_in_many_bands_and_many_in_few() {
-        let mut on_tiles = Quirks::default();
-        on_tiles.cached_bytes = Some(8 << 20);
+        let on_tiles = Quirks {
+            cached_bytes: Some(8 << 20),
+            ..Quirks::default()
+        };
         assert_eq!(preferred(on_tiles, 128, 16), 8 << 20);
         assert_eq!(preferred(on_tiles, 100_000, 16), 204_800_000);
         assert_eq!(preferred(Quirks::default(), 128, 16), u64::MAX);

@@ -127,12 +127,14 @@ mod tests {
 
     /// Llvmpipe's.
     fn limited() -> Quirks {
-        let mut quirks = Quirks::default();
-        quirks.loop_limit = Some(LoopLimit {
+        let limit = LoopLimit {
             iterations: 65_535,
             pixels: 8,
-        });
-        quirks
+        };
+        Quirks {
+            loop_limit: Some(limit),
+            ..Quirks::default()
+        }
     }
 
     fn unlimited() -> Quirks {
