@@ -3,21 +3,12 @@
 
 vec4 surface_color();    // surface/unlit.frag or surface/lit.frag; shading is disabled
 
-#include "common/fragment_depth.glsl"
+#include "common/skip_hidden.glsl"
 
-#ifdef INVERSE_W
-layout(binding = 5) uniform sampler2D opaque;
-#else
-layout(early_fragment_tests) in;
-#endif
 layout(binding = 0, r32ui) uniform uimage2D complexity;
 
 void main() {
-#ifdef INVERSE_W
     STORE_DEPTH
-    if (FRAGMENT_DEPTH >= texelFetch(opaque, ivec2(gl_FragCoord.xy), 0).r) {
-        discard;
-    }
-#endif
+    SKIP_HIDDEN
     imageAtomicAdd(complexity, ivec2(gl_FragCoord.xy), 1u);
 }

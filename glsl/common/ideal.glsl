@@ -3,17 +3,16 @@
 //
 // By default they are the framebuffer's color maps, fetched. A map that a shader must not change is masked
 // (glColorMaski): drivers do not keep one that is only read. With IMAGES they are images, loaded and stored between
-// the two ends of an interlock, where the driver has one: a main function writes BEGIN_FRAGMENT and END_FRAGMENT around
-// what it does, because neither end may stand anywhere else.
+// the two ends of an interlock: a main function writes BEGIN_FRAGMENT and END_FRAGMENT around what it does.
 // defines: method
 
-#ifdef IMAGES
-#extension GL_ARB_fragment_shader_interlock : enable
+#if IMAGES
+#include "common/interlock.glsl"
 #else
 #extension GL_EXT_shader_framebuffer_fetch : require
 #endif
 
-#ifdef IMAGES
+#if IMAGES
 layout(binding = 0, rgba32f) coherent uniform image2D depths_image;
 layout(binding = 1, rgba32f) coherent uniform image2D image_image;
 layout(binding = 2, rgba32f) coherent uniform image2D peel_image;
@@ -36,14 +35,8 @@ void store_pixel() {
     imageStore(peel_image, here, peel);
 }
 
-#ifdef GL_ARB_fragment_shader_interlock
-layout(pixel_interlock_ordered) in;
-#define BEGIN_FRAGMENT beginInvocationInterlockARB(); load_pixel();
-#define END_FRAGMENT store_pixel(); endInvocationInterlockARB();
-#else
-#define BEGIN_FRAGMENT load_pixel();
-#define END_FRAGMENT store_pixel();
-#endif
+#define BEGIN_FRAGMENT BEGIN_INTERLOCK load_pixel();
+#define END_FRAGMENT store_pixel(); END_INTERLOCK
 #define READ_FRAGMENT load_pixel();
 
 #else

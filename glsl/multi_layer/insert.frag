@@ -1,21 +1,29 @@
 #version 450 core
 // Multi-layer alpha blending: a fragment goes behind the nodes that are nearer or as near. Where that makes one node too
-// many, the two farthest are merged. The nodes are the framebuffer's color maps, fetched in the order of submission; each
-// is written in any case, because drivers do not keep one that is only read.
+// many, the two farthest are merged. By default the nodes are the framebuffer's color maps, fetched in the order of
+// submission; each is written in any case, because drivers do not keep one that is only read. With IMAGES they are images,
+// loaded and stored between the two ends of an interlock.
 
+#if IMAGES
+#include "common/interlock.glsl"
+#else
 #extension GL_EXT_shader_framebuffer_fetch : require
+#endif
 
 vec4 surface_color();    // surface/unlit.frag, lit.frag or slice.frag
 
-#include "common/fragment_depth.glsl"
 #include "multi_layer/node.glsl"
 
+#if IMAGES
+#include "common/skip_hidden.glsl"
+layout(binding = 0, rgba32ui) coherent uniform uimage2D node_images[NODES];
+uvec4 nodes[NODES];    // nearest first
+#else
+#include "common/fragment_depth.glsl"
 layout(location = 0) inout uvec4 nodes[NODES];    // nearest first
+#endif
 
-void main() {
-    STORE_DEPTH
-    vec4 straight = surface_color();
-    uvec4 farther = texel_of(Node(floatBitsToUint(FRAGMENT_DEPTH), straight.rgb * straight.a, 1.0 - straight.a));
+void insert(uvec4 farther) {
     bool moves = false;    // from its place on, each node moves by one, those of equal depth, too
     for (int i = 0; i < NODES; i++) {
         uvec4 here = nodes[i];
@@ -26,4 +34,25 @@ void main() {
     if (farther.x != NO_DEPTH) {
         nodes[NODES - 1] = texel_of(merged(node_of(nodes[NODES - 1]), node_of(farther)));
     }
+}
+
+void main() {
+    STORE_DEPTH
+    vec4 straight = surface_color();
+    uvec4 node = texel_of(Node(floatBitsToUint(FRAGMENT_DEPTH), straight.rgb * straight.a, 1.0 - straight.a));
+#if IMAGES
+    SKIP_HIDDEN
+    ivec2 here = ivec2(gl_FragCoord.xy);
+    BEGIN_INTERLOCK
+    for (int i = 0; i < NODES; i++) {
+        nodes[i] = imageLoad(node_images[i], here);
+    }
+    insert(node);
+    for (int i = 0; i < NODES; i++) {
+        imageStore(node_images[i], here, nodes[i]);
+    }
+    END_INTERLOCK
+#else
+    insert(node);
+#endif
 }

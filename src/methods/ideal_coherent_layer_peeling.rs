@@ -6,30 +6,18 @@
 
 use super::algorithm::{Algorithm, Composited, DrawOrder, Drawn, Setup};
 use super::allocate_maps::allocate_maps;
+use super::buffer_access::{BufferAccess, FETCH, INTERLOCK};
 use super::choice::{AS_PRINTED, Setter};
 use super::coherent_layer_peeling::{IMPROVE, one_of_both};
 use super::entry::{EXACT_BUT_NOT_SLICES, Entry, Memory, Ties, Volumes};
 use super::loop_guard::{LoopGuard, peeled};
 use super::sorting::{SORT, TriangleSort};
 use super::technique::{Published, Technique};
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::gl::GlMachine;
 use crate::papers::carr_2008::ideal;
 use crate::scene::Scene;
 use crate::steps::{Format, Resources, run};
-
-const FETCH: &str = "GL_EXT_shader_framebuffer_fetch";
-const INTERLOCK: &str = "GL_ARB_fragment_shader_interlock";
-
-/// The way in which a shader accesses the buffers.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum BufferAccess {
-    /// By framebuffer fetch if the driver has it, otherwise by interlocked images.
-    #[default]
-    Best,
-    /// By images in any case. Without an interlock, the order of submission is not guaranteed, but llvmpipe keeps it.
-    Images,
-}
 
 /// Options of coherent layer peeling on the ideal GPU.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -58,22 +46,6 @@ impl IdealCoherentLayerPeeling {
             by_images: false,
         }
     }
-
-    fn by_images(&self, machine: &GlMachine<'_>) -> Result<bool> {
-        let driver = machine.context().driver();
-        match self.options.access {
-            BufferAccess::Images => Ok(true),
-            BufferAccess::Best if driver.has(FETCH) => Ok(false),
-            BufferAccess::Best if driver.has(INTERLOCK) => Ok(true),
-            BufferAccess::Best => Err(Error::Driver {
-                what: format!(
-                    "this driver is no ideal GPU: it has neither {FETCH} nor {INTERLOCK}"
-                ),
-                remedy: "Mesa's llvmpipe has the first; coherent-layer-peeling-a runs everywhere"
-                    .into(),
-            }),
-        }
-    }
 }
 
 impl Algorithm for IdealCoherentLayerPeeling {
@@ -82,13 +54,11 @@ impl Algorithm for IdealCoherentLayerPeeling {
     }
 
     fn prepare(&mut self, machine: &mut GlMachine<'_>, _: &Scene) -> Result<()> {
-        self.by_images = self.by_images(machine)?;
+        let driver = machine.context().driver();
+        let instead = "coherent-layer-peeling-a runs everywhere";
+        self.by_images = self.options.access.is_by_images(driver, instead)?;
         self.peeled.prepare(machine)?;
-        machine.set_defines(if self.by_images {
-            &[("IMAGES", 1)]
-        } else {
-            &[]
-        });
+        machine.set_defines(&[("IMAGES", u32::from(self.by_images))]);
         let resources: &[&Resources] = match self.by_images {
             true => &[&ideal::RESOURCES, &ideal::NO_COLOR_RESOURCES],
             false => &[&ideal::RESOURCES],

@@ -42,6 +42,7 @@ macro_rules! declare {
         pub mod options {
             $(pub use crate::methods::$file::*;)*
             pub use crate::methods::depth_unit_0::{DepthSource, DepthUnit0, Experiment, Comparator};
+            pub use crate::methods::buffer_access::BufferAccess;
             pub use crate::methods::sorting::TriangleSort;
         }
     };
@@ -52,6 +53,7 @@ every_method!(declare);
 mod algorithm;
 mod allocate_maps;
 mod batches;
+mod buffer_access;
 mod choice;
 mod complexity;
 pub mod coplanar;

@@ -7,32 +7,35 @@
 //!
 //! A node stores its colours and its transmittance in 24 bits each, from 0 to 1, whatever format the image has.
 //!
-//! It needs a rasteriser whose shaders read and write several buffers in the order of submission, by
-//! `GL_EXT_shader_framebuffer_fetch`. Mesa's llvmpipe has it.
+//! It needs a rasteriser whose shaders read and write several buffers in the order of submission: by
+//! `GL_EXT_shader_framebuffer_fetch` (Mesa's llvmpipe), or by images with `GL_ARB_fragment_shader_interlock` (NVIDIA's and
+//! Intel's drivers).
 //!
 //! Excludes: multisampling; depths at or beyond the far plane, which GL clips; colours beyond 1, which are stored as 1.
 
 use super::algorithm::{Algorithm, Drawn, Setup};
 use super::allocate_maps::allocate_maps;
+use super::buffer_access::{BufferAccess, FETCH, INTERLOCK};
 use super::choice::{Choice, Setter, Takes};
 use super::entry::{Entry, Memory, Ties, Volumes};
 use super::technique::{Published, Technique};
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::gl::GlMachine;
 use crate::papers::salvi_2014::{
-    COUNT_TAKEN, EIGHT_NODES, FOUR_NODES, RESOURCES_OF_EIGHT, RESOURCES_OF_FOUR,
+    COUNT_TAKEN, EIGHT_IMAGES, EIGHT_NODES, FOUR_IMAGES, FOUR_NODES, RESOURCES_OF_EIGHT,
+    RESOURCES_OF_FOUR,
 };
 use crate::scene::Scene;
 use crate::steps::{Variables, run};
 use crate::words::{Words, words};
-
-const FETCH: &str = "GL_EXT_shader_framebuffer_fetch";
 
 /// What can be chosen about multi-layer alpha blending.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct MultiLayerOptions {
     /// How many nodes a pixel has.
     pub nodes: Nodes,
+    /// The way in which the nodes are read and written.
+    pub access: BufferAccess,
 }
 
 /// The nodes of a pixel, 16 bytes each.
@@ -48,18 +51,18 @@ pub enum Nodes {
 struct MultiLayerAlphaBlending {
     options: MultiLayerOptions,
     setup: Setup,
+    by_images: bool,
 }
 
 impl Algorithm for MultiLayerAlphaBlending {
     fn prepare(&mut self, machine: &mut GlMachine<'_>, _: &Scene) -> Result<()> {
-        if !ENTRY.runs_on(machine.context().driver()) {
-            return Err(Error::Driver {
-                what: format!("this driver's shaders do not read the framebuffer: it lacks {FETCH}"),
-                remedy: "Mesa's llvmpipe has it; weighted-blended takes one pass, too, and runs everywhere"
-                    .into(),
-            });
-        }
-        machine.set_defines(&[("NODES", self.options.nodes as u32)]);
+        let driver = machine.context().driver();
+        let instead = "weighted-blended takes one pass, too, and runs everywhere";
+        self.by_images = self.options.access.is_by_images(driver, instead)?;
+        machine.set_defines(&[
+            ("NODES", self.options.nodes as u32),
+            ("IMAGES", u32::from(self.by_images)),
+        ]);
         let resources = match self.options.nodes {
             Nodes::Four => &RESOURCES_OF_FOUR,
             Nodes::Eight => &RESOURCES_OF_EIGHT,
@@ -68,11 +71,15 @@ impl Algorithm for MultiLayerAlphaBlending {
     }
 
     fn draw(&mut self, machine: &mut GlMachine<'_>, _: &Scene) -> Result<Drawn> {
-        let listing = match self.options.nodes {
-            Nodes::Four => &FOUR_NODES,
-            Nodes::Eight => &EIGHT_NODES,
+        let (listing, by_images) = match self.options.nodes {
+            Nodes::Four => (&FOUR_NODES, &FOUR_IMAGES),
+            Nodes::Eight => (&EIGHT_NODES, &EIGHT_IMAGES),
         };
-        run(listing, &[], Variables::new(), machine)?;
+        let amendments = match self.by_images {
+            true => std::slice::from_ref(by_images),
+            false => &[],
+        };
+        run(listing, amendments, Variables::new(), machine)?;
         // What was merged is in the image, too.
         Ok(Drawn {
             iterations: 1,
@@ -101,7 +108,7 @@ const ENTRY: Entry = Entry {
     memory: Memory::Pixels,
     volumes: Volumes::Refused,
     keeps: None,
-    needs: &[FETCH],
+    needs: &[FETCH, INTERLOCK],
 };
 
 impl Technique for MultiLayerOptions {
@@ -113,6 +120,7 @@ impl Technique for MultiLayerOptions {
         Box::new(MultiLayerAlphaBlending {
             options: *self,
             setup: *setup,
+            by_images: false,
         })
     }
 }

@@ -8,8 +8,8 @@ use super::paper::Paper;
 use crate::papers::stage;
 use crate::steps;
 use crate::steps::{
-    Dialect, Format, Framebuffer, Holds, Listing, Map, Query, Resources, Shader, Target, Text,
-    gl::*,
+    Amendment, Dialect, Format, Framebuffer, Holds, Listing, Map, Query, Resources, Shader, Target,
+    Text, gl::*,
 };
 
 /// Its texts.
@@ -144,25 +144,96 @@ pub const COUNT_TAKEN: Listing = Listing {
     },
 };
 
+/// To [`FOUR_NODES`]: the nodes are images that fragments load and store in their turns, instead of color maps that they
+/// fetch.
+pub const FOUR_IMAGES: Amendment = Amendment {
+    amended: steps! {
+        run BIND_FIRST_IMAGES;
+        run INSERT_INTO_IMAGES;
+    },
+    ..EIGHT_IMAGES
+};
+
+/// The same to [`EIGHT_NODES`].
+pub const EIGHT_IMAGES: Amendment = Amendment {
+    key: "images",
+    place: "the transparent pass",
+    printed: steps! {
+        glEnable(DEPTH_TEST);
+        glUseProgram(INSERTION);
+        drawTransparentObjects();
+    },
+    amended: steps! {
+        run BIND_FIRST_IMAGES;
+        run BIND_FURTHER_IMAGES;
+        run INSERT_INTO_IMAGES;
+    },
+    why: "the nodes are images",
+    test: "by_images_every_image_is_the_same",
+};
+
+const BIND_FIRST_IMAGES: Listing = Listing {
+    title: "The first four nodes are images",
+    source: "onionskin",
+    dialect: Dialect::Calls,
+    steps: steps! {
+        glBindImageTexture(0, node(0));
+        glBindImageTexture(1, node(1));
+        glBindImageTexture(2, node(2));
+        glBindImageTexture(3, node(3));
+    },
+};
+
+const BIND_FURTHER_IMAGES: Listing = Listing {
+    title: "So are the others",
+    source: "onionskin",
+    dialect: Dialect::Calls,
+    steps: steps! {
+        glBindImageTexture(4, node(4));
+        glBindImageTexture(5, node(5));
+        glBindImageTexture(6, node(6));
+        glBindImageTexture(7, node(7));
+    },
+};
+
+const INSERT_INTO_IMAGES: Listing = Listing {
+    title: "Fragments load and store them in their turns",
+    source: "onionskin",
+    dialect: Dialect::Calls,
+    steps: steps! {
+        // For shaders that compare 1/w themselves.
+        glCopyImageSubData(stage::OPAQUE_DEPTH, HIDING);
+        glActiveTexture(5);
+        glBindTexture(HIDING);
+        glActiveTexture(0);
+        glBindFramebuffer(NO_COLORS);
+        glMemoryBarrier();
+        glEnable(DEPTH_TEST);
+        glUseProgram(INSERTION);
+        drawTransparentObjects();
+        glMemoryBarrier();
+    },
+};
+
 /// What [`FOUR_NODES`] takes for granted.
 pub const RESOURCES_OF_FOUR: Resources = Resources {
     maps: MAPS.split_at(4).0,
-    framebuffers: &[Framebuffer::new(
-        ALL_NODES,
-        NODES.split_at(4).0,
-        Some(stage::OPAQUE_DEPTH),
-    )],
+    made: &[HIDING],
+    framebuffers: &[
+        Framebuffer::new(ALL_NODES, NODES.split_at(4).0, Some(stage::OPAQUE_DEPTH)),
+        Framebuffer::new(NO_COLORS, &[], Some(stage::OPAQUE_DEPTH)),
+    ],
     ..Resources::NONE
 };
 
 /// What [`EIGHT_NODES`] takes for granted. OpenGL promises no more than eight color maps.
 pub const RESOURCES_OF_EIGHT: Resources = Resources {
     maps: MAPS,
-    framebuffers: &[Framebuffer::new(
-        ALL_NODES,
-        NODES,
-        Some(stage::OPAQUE_DEPTH),
-    )],
+    made: &[HIDING],
+    framebuffers: &[
+        Framebuffer::new(ALL_NODES, NODES, Some(stage::OPAQUE_DEPTH)),
+        Framebuffer::new(NO_COLORS, &[], Some(stage::OPAQUE_DEPTH)),
+    ],
     ..Resources::NONE
 };
 
@@ -196,6 +267,10 @@ const fn node(number: u32) -> Map {
 }
 
 const ALL_NODES: Target = Target("nodes");
+/// A copy of the opaque depth, because a map that is looked up must not be part of the framebuffer.
+const HIDING: Map = Map::named("hiding depth");
+/// Fragments are tested for depth, and write images only.
+const NO_COLORS: Target = Target("no colors");
 const BEGIN: Shader = Shader("multi_layer/begin");
 const INSERTION: Shader = Shader("multi_layer/insert");
 const FRONT_TO_BACK: Shader = Shader("multi_layer/composite");

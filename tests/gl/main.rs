@@ -17,6 +17,7 @@ mod a_buffer_bands;
 mod a_buffer_kept;
 mod accumulation;
 mod bounded;
+mod by_images;
 mod camera_path;
 mod claims_carr;
 mod claims_carr_options;

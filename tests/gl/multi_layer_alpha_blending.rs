@@ -98,7 +98,10 @@ fn renderer(context: &Context) -> Option<Renderer<'_>> {
 }
 
 fn frame(renderer: &mut Renderer<'_>, sheets: &[Sheet], nodes: Nodes) -> Frame {
-    let method = MultiLayerOptions { nodes };
+    let method = MultiLayerOptions {
+        nodes,
+        ..MultiLayerOptions::default()
+    };
     let frame = renderer.render(&scene(sheets), &method).unwrap();
     assert_eq!(frame.stats.lost, Some(0));
     assert_eq!(frame.stats.geometry_passes, 1);
