@@ -34,23 +34,27 @@ pub(super) struct Source {
 }
 
 impl Source {
-    /// A file by its name, with constants as `#define`s after its first line, which is its `#version`. The
-    /// constants N and DEEPEST make the include `a_buffer/network`: the network that sorts the lesser of both.
+    /// Files by their names, one behind the other, with constants as `#define`s after the first line, which is the first
+    /// file's `#version`. The constants N and DEEPEST make the include `a_buffer/network`: the network that sorts the
+    /// lesser of both.
     pub(super) fn load_with(
         files: &Files,
-        name: &str,
+        names: &[&str],
         constants: &[(&'static str, u32)],
     ) -> Result<Self> {
         let mut source = Self {
             text: String::new(),
             files: Vec::new(),
         };
-        let text = files.text(name).ok_or_else(|| Error::Shader {
-            file: name.into(),
-            log: format!("There is no file of this name. {}", files.meant(name)),
-        })?;
         let made = made(constants);
-        source.append(name, text, &Around { files, made }, &mut Vec::new())?;
+        let around = Around { files, made };
+        for &name in names {
+            let text = files.text(name).ok_or_else(|| Error::Shader {
+                file: name.into(),
+                log: format!("There is no file of this name. {}", files.meant(name)),
+            })?;
+            source.append(name, text, &around, &mut Vec::new())?;
+        }
         if let (false, Some((version, rest))) = (constants.is_empty(), source.text.split_once('\n'))
         {
             let defines: String = constants
@@ -78,6 +82,11 @@ impl Source {
             self.text += &format!("#line 1 {number}\n");
         }
         for (index, line) in text.lines().enumerate() {
+            if number > 0 && line.starts_with("#version") {
+                // The first file's holds for all.
+                self.text.push('\n');
+                continue;
+            }
             let Some(file) = included(line) else {
                 self.text += line;
                 self.text.push('\n');
@@ -183,7 +192,7 @@ mod tests {
         for (name, text) in own {
             files.set(name, text).unwrap();
         }
-        Source::load_with(&files, name, &[])
+        Source::load_with(&files, &[name], &[])
     }
 
     #[test]
@@ -246,7 +255,8 @@ mod tests {
     #[test]
     fn the_ordered_fill_has_no_atomics() {
         let atomics = |name| {
-            let source = Source::load_with(&Files::default(), name, &[]).expect("it is embedded");
+            let source =
+                Source::load_with(&Files::default(), &[name], &[]).expect("it is embedded");
             let code = source
                 .text
                 .lines()

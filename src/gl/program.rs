@@ -25,24 +25,31 @@ pub(super) struct Program {
 }
 
 impl Program {
-    /// Links files, one vertex shader and fragment shaders that complete each other. The context is current.
+    /// Links the texts of stages: of each stage the files whose texts complete each other. The context is current.
+    ///
+    /// A stage is one shader object. NVIDIA's driver (580.159) forgets that a shader asks for an interlock when it links
+    /// several objects to one stage, and cannot compile what is left.
     pub(super) fn link(
         making: &mut Making<'_>,
         files: &Files,
-        names: &[&str],
+        stages: &[&[&str]],
         defines: &[Define],
     ) -> Result<Self> {
         let raw = making.program()?;
         let gl = making.gl();
+        let shown = |names: &[&str]| {
+            let names: Vec<_> = names.iter().map(|name| files.shown(name)).collect();
+            names.join(" with ")
+        };
         // SAFETY: the context is current, and every object used here is made here.
         unsafe {
-            for &name in names {
-                let kind = match name.rsplit('.').next() {
+            for &names in stages {
+                let kind = match names[0].rsplit('.').next() {
                     Some("vert") => glow::VERTEX_SHADER,
                     Some("comp") => glow::COMPUTE_SHADER,
                     _ => glow::FRAGMENT_SHADER,
                 };
-                let source = Source::load_with(files, name, defines)?;
+                let source = Source::load_with(files, names, defines)?;
                 let shader = named("shader", gl.create_shader(kind))?;
                 gl.shader_source(shader, &source.text);
                 gl.compile_shader(shader);
@@ -50,7 +57,7 @@ impl Program {
                     let log = source.explain(&gl.get_shader_info_log(shader));
                     gl.delete_shader(shader);
                     return Err(Error::Shader {
-                        file: files.shown(name),
+                        file: shown(names),
                         log,
                     });
                 }
@@ -61,9 +68,8 @@ impl Program {
             gl.link_program(raw);
             if !gl.get_program_link_status(raw) {
                 let log = gl.get_program_info_log(raw);
-                let shown: Vec<_> = names.iter().map(|name| files.shown(name)).collect();
                 return Err(Error::Shader {
-                    file: shown.join(" with "),
+                    file: shown(&stages.concat()),
                     log,
                 });
             }
@@ -156,12 +162,18 @@ impl ProgramSet {
         let fragment = format!("{}.frag", key.shader.0);
         let mut making = Making::new(gl);
         if declared.draws_screen {
-            let program = Program::link(&mut making, files, &[vertex, &fragment], &key.defines)?;
+            let program =
+                Program::link(&mut making, files, &[&[vertex], &[&fragment]], &key.defines)?;
             making.finish();
             return Ok(Self::Screen(program));
         }
         let mut with = |surface, defines: &[_]| {
-            Program::link(&mut making, files, &[vertex, &fragment, surface], defines)
+            Program::link(
+                &mut making,
+                files,
+                &[&[vertex], &[&fragment, surface]],
+                defines,
+            )
         };
         let surfaces = Surfaces {
             is_classic: declared.is_classic,

@@ -114,7 +114,7 @@ impl Scan {
 impl Programs {
     fn new(gl: &glow::Context, files: &Files) -> Result<Self> {
         let mut making = Making::new(gl);
-        let mut link = |name| Program::link(&mut making, files, &[name], &DEFINES);
+        let mut link = |name| Program::link(&mut making, files, &[&[name]], &DEFINES);
         let programs = Self {
             gather: link("a_buffer/scan_gather.comp")?,
             reduce: link("a_buffer/scan_reduce.comp")?,

@@ -85,7 +85,7 @@ fn declared(text: &str) -> Vec<Declared> {
 }
 
 fn text(shader: &str) -> String {
-    let source = Source::load_with(&Files::default(), &format!("{shader}.frag"), &[]);
+    let source = Source::load_with(&Files::default(), &[&format!("{shader}.frag")], &[]);
     source.expect("it is embedded").text
 }
 

@@ -41,7 +41,12 @@ fn weighted_blending_is_off_on_bundled_scenes_by_every_weight() {
 #[test]
 fn more_nodes_merge_less_and_are_nearer_to_the_exact_image() {
     let context = Context::headless().unwrap();
-    let of = |nodes| Method::MultiLayerAlphaBlending(MultiLayerOptions { nodes });
+    let of = |nodes| {
+        Method::MultiLayerAlphaBlending(MultiLayerOptions {
+            nodes,
+            ..MultiLayerOptions::default()
+        })
+    };
     let entry = of(Nodes::Four).entry();
     if !entry.runs_on(context.driver()) {
         println!("skipped: this driver has none of {:?}", entry.needs);

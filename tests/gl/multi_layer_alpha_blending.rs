@@ -387,7 +387,8 @@ fn a_count_of_nodes_that_is_neither_is_refused() {
     assert_eq!(
         method,
         Method::MultiLayerAlphaBlending(MultiLayerOptions {
-            nodes: Nodes::Eight
+            nodes: Nodes::Eight,
+            ..MultiLayerOptions::default()
         })
     );
     let error = method.choose("nodes", "5").unwrap_err().to_string();

@@ -31,11 +31,11 @@ impl Declared {
                 remedy: did_you_mean(name, &files.shaders().collect::<Vec<_>>()),
             });
         }
-        let Source { text: fragment, .. } = Source::load_with(files, &file, &[])?;
+        let Source { text: fragment, .. } = Source::load_with(files, &[&file], &[])?;
         let vertex = value(&fragment, "vertex").unwrap_or("geometry.vert");
         let Source {
             text: of_vertex, ..
-        } = Source::load_with(files, vertex, &[])?;
+        } = Source::load_with(files, &[vertex], &[])?;
         Ok(Self {
             vertex: vertex.into(),
             draws_screen: value(&of_vertex, "draws") == Some("screen"),
