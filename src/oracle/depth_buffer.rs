@@ -12,6 +12,8 @@ pub struct DepthBuffer {
     /// The distance of neighbouring values. It is 0 for a float format, whose steps are smaller than the errors before
     /// them.
     step: f64,
+    /// How far a rasteriser may move a corner across a slope, in pixels, before it interpolates depths.
+    snap: f64,
     /// Whether it holds 1/w in 32-bit float instead of window-space depth.
     inverse_w: bool,
 }
@@ -24,6 +26,7 @@ impl DepthBuffer {
             far: camera.far,
             size: f64::from(width.max(height)),
             step: 0.0,
+            snap: 0.0,
             inverse_w: false,
         }
     }
@@ -33,6 +36,14 @@ impl DepthBuffer {
     pub fn with_bits(self, bits: u32) -> Self {
         let step = 1.0 / (2.0_f64.powi(bits as i32) - 1.0);
         Self { step, ..self }
+    }
+
+    /// A depth buffer whose rasteriser snaps corners to a grid of 1/256 pixel before it interpolates depths between them, as
+    /// GPUs do: a corner moves by half a step along each axis.
+    #[must_use]
+    pub fn with_snapped_corners(self) -> Self {
+        let snap = std::f64::consts::FRAC_1_SQRT_2 / 256.0;
+        Self { snap, ..self }
     }
 
     /// A depth buffer of 32-bit floats that holds 1/w, whose error is relative to its value.
@@ -72,10 +83,11 @@ impl DepthBuffer {
     /// to pixel.
     ///
     /// Transform, division and interpolation take some eight roundings of 2^-24. They affect the depth itself, and the
-    /// place in the image, over which the depth changes. The same bound applies to the fragments of the exact image.
+    /// place in the image, over which the depth changes. So does a moved corner. The same bound applies to the fragments of
+    /// the exact image.
     pub fn noise(&self, inverse: f64, slope: f64) -> f64 {
         let slope = self.steepness(inverse) * slope;
-        8.0 * 2.0_f64.powi(-24) * (1.0 + slope * self.size) + self.step / 2.0
+        8.0 * 2.0_f64.powi(-24) * (1.0 + slope * self.size) + slope * self.snap + self.step / 2.0
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::kit::bounds::F32;
 use crate::kit::cast::{Cast, cast};
-use crate::kit::exact_scenes::{depth_bound, looking_down_z, soup_scene};
+use crate::kit::exact_scenes::{depth_bound, looking_down_z, place_bound, soup_scene};
 use crate::kit::lists::{Lists, captured, sorted};
 use onionskin::generate::{Quads, Soup, Teapot, quads, soup, teapot};
 use onionskin::low_level::gl::CapturedFragment;
@@ -257,7 +257,7 @@ fn captured_and_cast(context: &Context, drawn: &Scene, scene: &Scene) -> Agreeme
     let lists = Lists::of(context, drawn);
     let Cast { pixels, doubtful } = cast(scene);
     let mut agreement = Agreement::default();
-    let size = f64::from(scene.size[0].max(scene.size[1]));
+    let place = place_bound(context, f64::from(scene.size[0].max(scene.size[1])));
     for ((list, hits), doubtful) in lists.pixels.into_iter().zip(pixels).zip(doubtful) {
         if doubtful {
             agreement.doubtful += 1;
@@ -277,10 +277,10 @@ fn captured_and_cast(context: &Context, drawn: &Scene, scene: &Scene) -> Agreeme
         }
         for (fragment, hit) in list.iter().zip(&hits) {
             let off = (f64::from(fragment.depth) - hit.depth).abs();
-            let depth = off / depth_bound(hit.slope, size);
+            let depth = off / depth_bound(hit.slope, place);
             let color = fragment.color.to_array().into_iter().zip(hit.color);
             let off = color.map(|(a, b)| (f64::from(a) - b).abs());
-            let color = off.fold(0.0, f64::max) / color_bound(hit.color_slope, size);
+            let color = off.fold(0.0, f64::max) / color_bound(hit.color_slope, place);
             agreement.wrong_depths += usize::from(depth > 1.0);
             agreement.wrong_colors += usize::from(color > 1.0);
             agreement.depth = agreement.depth.max(depth);
@@ -291,9 +291,9 @@ fn captured_and_cast(context: &Context, drawn: &Scene, scene: &Scene) -> Agreeme
 }
 
 /// How far a colour may be off: interpolation and lighting in f32 (some 80 roundings of 2^-24 at most, which is 1e-5, no
-/// more than the oracle is held to), and what a place that is off as in [`depth_bound`] adds.
-fn color_bound(slope: f64, size: f64) -> f64 {
-    F32 + 8.0 * 2.0_f64.powi(-24) * slope * size
+/// more than the oracle is held to), and what a place that is off as in [`place_bound`] adds.
+fn color_bound(slope: f64, place: f64) -> f64 {
+    F32 + slope * place
 }
 
 /// From just outside, with a wide angle: depths and sizes change much within a triangle.

@@ -2,7 +2,9 @@
 
 use crate::kit::bounds::F32;
 use crate::kit::cast;
-use crate::kit::exact_scenes::{depth_bound, error, looking_down_z, render, soup_scene};
+use crate::kit::exact_scenes::{
+    depth_bound, error, looking_down_z, place_bound, render, soup_scene,
+};
 use crate::kit::lists::{Lists, captured, sorted, ties};
 use glam::{DVec3, Vec3};
 use onionskin::generate::{Quads, SubmissionOrder, quads};
@@ -57,8 +59,8 @@ fn what_peeling_loses_of_the_bunny_are_depths_that_f32_cannot_tell_apart() {
             println!("{pair:?}\nby rays: {found:?}");
             // Two triangles that do meet there: as far apart as each may be off.
             let [(a, slope_a), (b, slope_b)] = found;
-            let size = f64::from(scene.size[0]);
-            assert!((a - b).abs() <= depth_bound(slope_a, size) + depth_bound(slope_b, size));
+            let place = place_bound(&context, f64::from(scene.size[0]));
+            assert!((a - b).abs() <= depth_bound(slope_a, place) + depth_bound(slope_b, place));
             assert_ne!(pair[0].order, pair[1].order);
         }
     }

@@ -55,16 +55,14 @@ pub(crate) fn c07_to_c10_figure_2_on_opengl() {
     peels::Loop::A.allocate_maps(&mut emulator, color, depth);
     gl.begin_frame();
     let maps = [DEPTH_BUFFER, D_SC, D_SN, Z_MIN_PREV, Z_MIN_POST];
-    let mut both = lockstep::LockStep {
-        gl: &mut gl,
-        emulator: &mut emulator,
-        watched: maps
-            .map(|map| lockstep::Watched { map, format: depth })
+    let mut both = lockstep::LockStep::new(
+        &mut gl,
+        &mut emulator,
+        maps.map(|map| lockstep::Watched { map, format: depth })
             .to_vec(),
-        pixels: vec![0],
-        color_bound: 0.0,
-        compared: 0,
-    };
+        vec![0],
+        0.0,
+    );
     run(&stage::OPAQUE_FIRST, &[], Variables::new(), &mut both).unwrap();
     let amendments: Vec<_> = coherent::AMENDMENTS
         .into_iter()

@@ -107,16 +107,15 @@ fn in_lock_step(
         format: color,
     });
     let transparent = |surfaces: &Vec<Surface>| surfaces.iter().any(|s| s.group != Group::Opaque);
-    let mut both = LockStep {
-        gl: &mut gl,
-        emulator: &mut emulator,
+    let mut both = LockStep::new(
+        &mut gl,
+        &mut emulator,
         watched,
-        pixels: (0..pixels.len())
+        (0..pixels.len())
             .filter(|&p| transparent(&pixels[p]))
             .collect(),
-        color_bound: color_bound(color),
-        compared: 0,
-    };
+        color_bound(color),
+    );
     let deepest = pixels.iter().map(Vec::len).max().unwrap_or(0);
     which.run(&mut both, amendments, deepest as f64 + 2.0);
     both.compared
@@ -254,17 +253,16 @@ fn one_fragment_off_by_its_last_bit_would_be_noticed() {
     let mut emulator = Emulator::new(pixels);
     Loop::A.allocate_maps(&mut emulator, F32, D32F);
     gl.begin_frame();
-    let mut both = LockStep {
-        gl: &mut gl,
-        emulator: &mut emulator,
-        watched: vec![Watched {
+    let mut both = LockStep::new(
+        &mut gl,
+        &mut emulator,
+        vec![Watched {
             map: D_SN,
             format: D32F,
         }],
-        pixels: vec![0],
-        color_bound: 0.0,
-        compared: 0,
-    };
+        vec![0],
+        0.0,
+    );
     let run = std::panic::AssertUnwindSafe(|| Loop::A.run(&mut both, &Loop::A.amendments(), 9.0));
     let panic = std::panic::catch_unwind(run).expect_err("it is noticed");
     let said = panic.downcast_ref::<String>().expect("words");
@@ -296,17 +294,16 @@ fn stencil_operations_agree_one_by_one() {
         let mut emulator = Emulator::new(pixels.clone());
         Loop::A.allocate_maps(&mut emulator, F32, D32F);
         gl.begin_frame();
-        let mut both = LockStep {
-            gl: &mut gl,
-            emulator: &mut emulator,
-            watched: vec![Watched {
+        let mut both = LockStep::new(
+            &mut gl,
+            &mut emulator,
+            vec![Watched {
                 map: DEPTH_BUFFER,
                 format: D32F,
             }],
-            pixels: (0..pixels.len()).collect(),
-            color_bound: 0.0,
-            compared: 0,
-        };
+            (0..pixels.len()).collect(),
+            0.0,
+        );
         const COUNTED: Query = Query("counted");
         for step in steps! {
             glBindFramebuffer(onionskin::low_level::papers::stage::PEEL);

@@ -5,11 +5,21 @@ use glam::DVec3;
 use onionskin::generate::{Soup, soup};
 use onionskin::{Camera, Comparison, Context, Format, Method, Renderer, Scene};
 
-/// How far a depth may be off: transform, division and interpolation are a handful of f32 roundings of 2^-24 each, of
-/// the depth itself and of places in an image of `size` pixels, over which the depth changes by `slope` a pixel. That
-/// corners are snapped to 1/256 of a pixel decides what is covered; depths are those of the corners where they were.
-pub fn depth_bound(slope: f64, size: f64) -> f64 {
-    8.0 * 2.0_f64.powi(-24) * (1.0 + slope * size)
+/// How far a place in an image of `size` pixels may be off: a handful of f32 roundings of 2^-24 each, and what a driver moves
+/// corners before it interpolates between them. Llvmpipe snaps them to 1/256 of a pixel only to decide what is covered.
+/// Others do so before, and a corner moves by half a step along each axis.
+pub fn place_bound(context: &Context, size: f64) -> f64 {
+    let snapped = match context.driver().quirks().interpolates_true_corners {
+        true => 0.0,
+        false => f64::sqrt(0.5) / 256.0,
+    };
+    8.0 * 2.0_f64.powi(-24) * size + snapped
+}
+
+/// How far a depth may be off that changes by `slope` a pixel: transform, division and interpolation are a handful of f32
+/// roundings, too, of the depth itself.
+pub fn depth_bound(slope: f64, place: f64) -> f64 {
+    8.0 * 2.0_f64.powi(-24) + slope * place
 }
 
 pub fn soup_scene(seed: u64) -> Scene {
