@@ -13,7 +13,9 @@
 // and the key is the whole element. With atomics they lie as they came; then the lower half is the id.
 // defines: method
 
-#if KEYS_AS_DOUBLES
+#define DOUBLES KEYS_AS_DOUBLES
+
+#if DOUBLES
 #define KEY double
 #define BEFORE(a, b) ((a) < (b))
 
@@ -76,7 +78,7 @@ void put(int k, KEY key_f, uint place_f) {
 #endif
 
 // The fragment in front goes to (or stays in) the first, the other one to the second.
-#if IN_ORDER && KEYS_AS_DOUBLES
+#if IN_ORDER && DOUBLES
 #define COMPARE(key_i, place_i, key_j, place_j) { \
     KEY front = min(key_i, key_j); \
     key_j = max(key_i, key_j); \

@@ -57,7 +57,7 @@ impl Program {
                     let log = source.explain(&gl.get_shader_info_log(shader));
                     gl.delete_shader(shader);
                     return Err(Error::Shader {
-                        file: shown(names),
+                        file: files.shown(names[0]),
                         log,
                     });
                 }

@@ -127,6 +127,18 @@ mod tests {
     }
 
     #[test]
+    fn corners_that_were_snapped_confuse_slopes_and_not_panes() {
+        let buffer = buffer(1.0, 10.0);
+        let snapped = buffer.with_snapped_corners();
+        assert_eq!(buffer.noise(0.5, 0.0), snapped.noise(0.5, 0.0));
+        // A corner moves by half of 1/256 pixel along each axis.
+        let slope = 0.01;
+        let more = snapped.noise(0.5, slope) - buffer.noise(0.5, slope);
+        let moved = f64::hypot(1.0, 1.0) / 512.0 * slope * 10.0 / 9.0;
+        assert!((more / moved - 1.0).abs() < 1e-9, "{more} {moved}");
+    }
+
+    #[test]
     fn what_is_twice_the_resolution_apart_is_told_apart_and_half_of_it_is_not() {
         for buffer in [buffer(0.1, 1000.0), buffer(99.0, 101.0).with_bits(16)] {
             let resolution = buffer.resolution(100.0);

@@ -15,6 +15,7 @@ mod ledger;
 mod a_buffer;
 mod a_buffer_bands;
 mod a_buffer_kept;
+mod a_buffer_keys;
 mod accumulation;
 mod bounded;
 mod by_images;
