@@ -13,7 +13,7 @@ use super::entry::{EXACT_BUT_NOT_SLICES, Entry, Memory, Ties, Volumes};
 use super::loop_guard::{LoopGuard, peeled};
 use super::sorting::{SORT, TriangleSort};
 use super::technique::{Published, Technique};
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::gl::GlMachine;
 use crate::papers::carr_2008::ideal;
 use crate::scene::Scene;

@@ -8,8 +8,8 @@ use super::paper::Paper;
 use crate::papers::stage;
 use crate::steps;
 use crate::steps::{
-    Amendment, Dialect, Format, Framebuffer, Holds, Listing, Map, Query, Resources, Shader, Target,
-    Text, gl::*,
+    Amendment, Dialect, Format, Framebuffer, Holds, Kind, Listing, Map, Query, Resources, Shader,
+    Target, Text, gl::*,
 };
 
 /// Its texts.
@@ -157,6 +157,7 @@ pub const FOUR_IMAGES: Amendment = Amendment {
 /// The same to [`EIGHT_NODES`].
 pub const EIGHT_IMAGES: Amendment = Amendment {
     key: "images",
+    kind: Kind::Edition,
     place: "the transparent pass",
     printed: steps! {
         glEnable(DEPTH_TEST);
