@@ -14,6 +14,33 @@ pub use printable::{printable, printable_json, printable_lines};
 pub type Result<T, E = Error> = std::result::Result<T, E>;
 
 /// Everything that can go wrong, each with what its reader needs to put it right.
+///
+/// Printed, an error says what is wrong and where, and on the next line what to do. A program may want to act on some:
+///
+/// | to | match |
+/// | --- | --- |
+/// | render smaller, or allow more memory | [`Memory`](Self::Memory), [`ImageSize`](Self::ImageSize) |
+/// | offer another driver, or another method | [`NoContext`](Self::NoContext), [`Driver`](Self::Driver), [`Lost`](Self::Lost) |
+/// | set its OpenGL context right and try again | [`HostContext`](Self::HostContext) |
+/// | tell the owner of a file | [`Input`](Self::Input), [`Output`](Self::Output), [`FileName`](Self::FileName) |
+/// | offer the known names | [`Unknown`](Self::Unknown) |
+/// | correct an option | [`Option`](Self::Option) |
+/// | correct a scene that it has built | [`Scene`](Self::Scene) |
+/// | correct a listing, or its shaders | [`Listing`](Self::Listing), [`UnknownMap`](Self::UnknownMap), [`UnknownBuffer`](Self::UnknownBuffer), [`NoTwin`](Self::NoTwin), [`OutOfOrder`](Self::OutOfOrder), [`CannotPerform`](Self::CannotPerform), [`Shader`](Self::Shader), [`Step`](Self::Step) |
+///
+/// The others are for the person who wrote the call: [`Usage`](Self::Usage), [`SizesDiffer`](Self::SizesDiffer) and
+/// [`Plot`](Self::Plot).
+///
+/// ```
+/// use onionskin::{Context, Error, Method, Renderer};
+///
+/// let Err(Error::Unknown { known, .. }) = "depth-peling".parse::<Method>() else { panic!() };
+/// assert!(known.contains(&"depth-peeling".to_owned()));
+/// let context = Context::headless()?;
+/// let Err(Error::ImageSize { largest, .. }) = Renderer::new(&context, 1 << 30, 1) else { panic!() };
+/// assert!(largest < 1 << 30);
+/// # Ok::<(), Error>(())
+/// ```
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
@@ -21,7 +48,7 @@ pub enum Error {
     #[error("{place}: {}\n  {}", printable(.what), printable(.remedy))]
     #[non_exhaustive]
     Input {
-        /// The file, and as far as known the line and the token.
+        /// The file, and as far as known the line and the word.
         place: Place,
         /// What is wrong with it.
         what: String,
@@ -33,7 +60,7 @@ pub enum Error {
     /// A result that could not be written. Nothing is left at `path`.
     #[error("cannot write {}: {}\n  {}", shown(.path), printable(.what), printable(.remedy))]
     Output {
-        /// Where it should have gone.
+        /// The path at which it should be.
         path: PathBuf,
         /// What stands in the way.
         what: String,
@@ -42,34 +69,106 @@ pub enum Error {
         /// The system's error, if it is one.
         source: Option<io::Error>,
     },
+    /// A name of a file whose ending says that it is of another kind than was asked for.
+    #[error("{}: this is not the name of a {kind}\n  {remedy}", shown(.path))]
+    FileName {
+        /// The name.
+        path: PathBuf,
+        /// The kind of file that was asked for, such as `picture`.
+        kind: &'static str,
+        /// The endings that such files have.
+        remedy: &'static str,
+    },
     /// More memory is wanted than may be taken. Nothing was taken.
     #[error("{}{}\n  {MORE_MEMORY}", at(.place), printable(.what))]
+    #[non_exhaustive]
     Memory {
-        /// Where in a file it is wanted, if it is for a file.
+        /// The place in a file that wants it, if a file does.
         place: Option<Place>,
         /// What takes how much, and how much there is, as a sentence.
         what: String,
-        /// Bytes that are wanted.
+        /// The bytes that are wanted.
         wanted: u64,
-        /// Bytes that may be taken.
+        /// The bytes that may be taken.
         left: u64,
     },
     /// No way to OpenGL was found.
     #[error("no OpenGL 4.3 driver was found:\n{}\n  {INSTALL}", list(.tried))]
     NoContext {
-        /// What was tried, in order.
+        /// The ways that were tried, in order.
         tried: Vec<Attempt>,
     },
     /// The driver cannot do what is needed.
     #[error("{what}\n  {remedy}")]
+    #[non_exhaustive]
     Driver {
         /// What it lacks.
         what: String,
         /// What to do.
         remedy: String,
     },
+    /// The driver refuses everything: it is out of memory, or its device is lost.
+    #[error("the driver cannot {doing}: {answer}\n  {LOST}")]
+    #[non_exhaustive]
+    Lost {
+        /// What it was asked to do, as in `make a texture`.
+        doing: String,
+        /// What it answers.
+        answer: String,
+    },
+    /// Someone else's OpenGL context is not in a state in which it can be used, and given back as it was. Nothing in it
+    /// was changed.
+    #[error("{what}\n  {remedy}")]
+    #[non_exhaustive]
+    HostContext {
+        /// The state.
+        what: String,
+        /// What to do before the call.
+        remedy: String,
+    },
+    /// The driver does not render images of this size.
+    #[error(
+        "an image of {width} x {height} pixels cannot be rendered\n  this driver renders 1 x 1 to {largest} x {largest}"
+    )]
+    #[non_exhaustive]
+    ImageSize {
+        /// Pixels per row.
+        width: u32,
+        /// Rows.
+        height: u32,
+        /// The largest width and height that the driver renders.
+        largest: u32,
+    },
+    /// Two pictures of different sizes cannot be compared.
+    #[error("a picture of {} x {} cannot be compared to one of {} x {}\n  render both at the same size", .a[0], .a[1], .b[0], .b[1])]
+    #[non_exhaustive]
+    SizesDiffer {
+        /// Width and height of the one.
+        a: [u32; 2],
+        /// Width and height of the other.
+        b: [u32; 2],
+    },
+    /// A part of a scene, made by code, that cannot be rendered: a mesh, a volume, a camera, a generator's parameter.
+    #[error("{}\n  {}", printable(.what), printable(.remedy))]
+    #[non_exhaustive]
+    Scene {
+        /// The part, and what is wrong with it.
+        what: String,
+        /// What to do.
+        remedy: String,
+    },
+    /// A plot that could not be drawn.
+    #[error("{what} cannot be plotted: {answer}\n  write the numbers instead")]
+    #[non_exhaustive]
+    Plot {
+        /// The numbers.
+        what: &'static str,
+        /// The answer of the program that draws.
+        answer: String,
+    },
     /// A shader that the driver does not take, or whose includes are wrong.
     #[error("{file} does not compile:\n{log}")]
+    #[non_exhaustive]
     Shader {
         /// The shader's file, as in `glsl/peel.frag`; a user's own as it was named.
         file: String,
@@ -78,22 +177,27 @@ pub enum Error {
     },
     /// OpenGL reported an error after a step.
     #[error("OpenGL says {error} after the step {step}")]
+    #[non_exhaustive]
     Step {
         /// The step, its arguments named.
         step: String,
-        /// GL's name for the error.
+        /// OpenGL's name for the error.
         error: String,
     },
-    /// The driver gives out nothing any more: it is out of memory, or its device is lost.
-    #[error("the driver cannot {doing}: {answer}\n  {LOST}")]
-    Lost {
-        /// What it was asked to do, as in 'make a texture'.
-        doing: String,
-        /// What it says.
-        answer: String,
+    /// A listing that cannot run, as a check finds before it does.
+    #[error("'{listing}' {what}\n  {remedy}")]
+    #[non_exhaustive]
+    Listing {
+        /// The listing's title.
+        listing: &'static str,
+        /// What is wrong in it, and where.
+        what: String,
+        /// What to do.
+        remedy: String,
     },
     /// A listing names a map that was not allocated.
     #[error("the listing names the map '{map}', which does not exist\n  {remedy}")]
+    #[non_exhaustive]
     UnknownMap {
         /// The map's name.
         map: String,
@@ -102,6 +206,7 @@ pub enum Error {
     },
     /// A listing names a buffer that was not allocated.
     #[error("the listing names the buffer '{buffer}', which does not exist\n  {remedy}")]
+    #[non_exhaustive]
     UnknownBuffer {
         /// The buffer's name.
         buffer: String,
@@ -118,32 +223,49 @@ pub enum Error {
     },
     /// The emulated pixel cannot run this shader.
     #[error("the emulated pixel has no twin of the shader '{shader}'\n  it has {}", .known.join(", "))]
+    #[non_exhaustive]
     NoTwin {
         /// The shader's name.
         shader: String,
         /// The shaders that have a twin.
         known: Vec<&'static str>,
     },
-    /// A step of a listing that needs an earlier one, which was not performed.
+    /// A step that needs an earlier one, which was not performed.
     #[error("{what}\n  {remedy}")]
+    #[non_exhaustive]
     OutOfOrder {
         /// What the step does too early.
         what: String,
-        /// What comes first.
+        /// The step that comes first.
         remedy: String,
     },
-    /// An option, of a method or of something else, whose value it cannot have.
+    /// A call that a machine does not have.
+    #[error("{machine} cannot perform {call}: {why}\n  {remedy}")]
+    #[non_exhaustive]
+    CannotPerform {
+        /// The machine.
+        machine: &'static str,
+        /// The call, its arguments named.
+        call: String,
+        /// The reason.
+        why: &'static str,
+        /// What to do instead.
+        remedy: &'static str,
+    },
+    /// A value that an option cannot have. The option is a method's, or the renderer's.
     #[error("{}\n  {}", printable(.what), printable(.remedy))]
+    #[non_exhaustive]
     Option {
         /// The option's name, in small letters and hyphens.
         option: String,
-        /// What is wrong with its value.
+        /// What is wrong with the value.
         what: String,
         /// What to choose instead.
         remedy: String,
     },
     /// A name that nothing has: of a method, of a listing, of an option's value.
     #[error("there is no {kind} '{}'\n  {}", printable(.name), did_you_mean(.name, .known))]
+    #[non_exhaustive]
     Unknown {
         /// The kind of thing that was named, without an article: `method`.
         kind: &'static str,
@@ -152,8 +274,10 @@ pub enum Error {
         /// The names that there are.
         known: Vec<String>,
     },
-    /// A request that makes no sense, whatever the files say.
+    /// A request that makes no sense, whatever the files say: a number out of its range, or a text that is not what was
+    /// asked for.
     #[error("{}\n  {}", printable(.what), printable(.remedy))]
+    #[non_exhaustive]
     Usage {
         /// What was asked for.
         what: String,
@@ -162,12 +286,12 @@ pub enum Error {
     },
 }
 
-/// A way to OpenGL that did not lead there.
+/// A way to OpenGL that led nowhere.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Attempt {
-    /// What was tried.
+    /// The way that was tried.
     pub what: String,
-    /// What it answered.
+    /// The answer of the system or of the driver.
     pub answer: String,
 }
 
@@ -286,7 +410,7 @@ impl Error {
         self
     }
 
-    /// An option whose value it cannot have.
+    /// A value that an option cannot have.
     pub fn option(
         option: impl Into<String>,
         what: impl Into<String>,
@@ -317,6 +441,22 @@ impl Error {
     /// A step of a listing that needs an earlier one.
     pub(crate) fn out_of_order(what: impl Into<String>, remedy: impl Into<String>) -> Self {
         Self::OutOfOrder {
+            what: what.into(),
+            remedy: remedy.into(),
+        }
+    }
+
+    /// A part of a scene, made by code, that cannot be rendered.
+    pub(crate) fn scene(what: impl Into<String>, remedy: impl Into<String>) -> Self {
+        Self::Scene {
+            what: what.into(),
+            remedy: remedy.into(),
+        }
+    }
+
+    /// A state of someone else's context.
+    pub(crate) fn host(what: impl Into<String>, remedy: impl Into<String>) -> Self {
+        Self::HostContext {
             what: what.into(),
             remedy: remedy.into(),
         }

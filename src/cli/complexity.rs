@@ -91,10 +91,11 @@ impl Complexities {
         if let Some(path) = &self.csv
             && path.extension().is_none_or(|ending| ending != "csv")
         {
-            return Err(Error::usage(
-                format!("{}: this is not the name of a table", path.display()),
-                "name it .csv",
-            ));
+            return Err(Error::FileName {
+                path: path.to_owned(),
+                kind: "table",
+                remedy: "name it .csv",
+            });
         }
         let paths = [&self.output, &self.plot, &self.csv];
         paths

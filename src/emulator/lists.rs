@@ -379,7 +379,7 @@ impl<'a> Run<'a> {
 }
 
 fn misplaced(line: &ListLine) -> Error {
-    Error::usage(
+    Error::out_of_order(
         format!("there is nothing for '{line}' to work on"),
         "it stands outside of its loop, or before its buffer is created",
     )

@@ -333,10 +333,12 @@ impl Machine for Emulator {
             }
             Call::Draw { objects } => self.draw(objects)?,
             _ => {
-                return Err(Error::usage(
-                    format!("the emulated pixel cannot perform {call}"),
-                    "its module says what it leaves out",
-                ));
+                return Err(Error::CannotPerform {
+                    machine: "the emulated pixel",
+                    call: call.to_string(),
+                    why: "it leaves that out",
+                    remedy: "its module says what else it leaves out; a GlMachine performs every call",
+                });
             }
         }
         Ok(())

@@ -88,7 +88,7 @@ impl Framebuffers {
         size: [u32; 2],
     ) -> Result<()> {
         let Some(&framebuffer) = self.0.get(&target) else {
-            return Err(Error::usage(
+            return Err(Error::out_of_order(
                 "there is no image to show yet",
                 "render one first",
             ));

@@ -292,7 +292,7 @@ impl Uploaded {
                 mesh.name,
                 mesh.vertices.len()
             );
-            return Err(Error::usage(
+            return Err(Error::scene(
                 what,
                 "every index of a triangle must be below the number of vertices",
             ));

@@ -110,7 +110,7 @@ impl GlMachine<'_> {
                 }
             }
             _ => {
-                return Err(Error::usage(
+                return Err(Error::out_of_order(
                     format!("the current program does not draw {objects:?}"),
                     "choose one for the screen or one for surfaces with glUseProgram",
                 ));
@@ -181,10 +181,12 @@ impl GlMachine<'_> {
                     );
                 }
                 Call::ActiveDepthUnit { .. } | Call::BindDepthBuffer { .. } => {
-                    return Err(Error::usage(
-                        format!("OpenGL has no depth units, so {call} cannot be performed"),
-                        "run the listing through steps::DepthUnits",
-                    ));
+                    return Err(Error::CannotPerform {
+                        machine: "OpenGL",
+                        call: call.to_string(),
+                        why: "it has no depth units",
+                        remedy: "run the listing through steps::DepthUnits",
+                    });
                 }
                 Call::ActiveTexture { unit } => gl.active_texture(glow::TEXTURE0 + unit),
                 Call::BindTexture { texture } => {

@@ -61,10 +61,11 @@ impl<'c> GlMachine<'c> {
     pub fn new(context: &'c Context, [width, height]: [u32; 2]) -> Result<Self> {
         let largest = context.driver().largest_image();
         if width == 0 || height == 0 || width > largest || height > largest {
-            return Err(Error::usage(
-                format!("an image of {width} x {height} pixels cannot be rendered"),
-                format!("this driver renders 1 x 1 to {largest} x {largest}"),
-            ));
+            return Err(Error::ImageSize {
+                width,
+                height,
+                largest,
+            });
         }
         context.begin_making()?;
         let mut making = Making::new(context.glow());

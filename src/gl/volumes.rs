@@ -122,7 +122,7 @@ impl<'c> Volumes<'c> {
 fn expect_room_for(context: &Context, count: u32) -> Result<()> {
     let remedy = "leave some volumes out, or render with the method exact, which takes any number";
     if count > MOST_VOLUMES {
-        return Err(Error::usage(
+        return Err(Error::scene(
             format!(
                 "the scene has {count} volumes, and a fragment's id has bits for {MOST_VOLUMES}"
             ),

@@ -41,13 +41,10 @@ impl Comparison {
     /// If their sizes differ.
     pub fn among(a: &Image, b: &Image, bound: f64, among: impl Fn(usize) -> bool) -> Result<Self> {
         if (a.width, a.height) != (b.width, b.height) {
-            return Err(Error::usage(
-                format!(
-                    "a picture of {} x {} cannot be compared to one of {} x {}",
-                    a.width, a.height, b.width, b.height
-                ),
-                "render both at the same size",
-            ));
+            return Err(Error::SizesDiffer {
+                a: [a.width, a.height],
+                b: [b.width, b.height],
+            });
         }
         let (mut sum, mut squares) = (0.0, 0.0);
         let mut worst = (0.0, None);

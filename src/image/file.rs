@@ -43,10 +43,11 @@ impl FileKind {
         {
             Some("png") => Ok(Self::Png),
             Some("exr") => Ok(Self::Exr),
-            _ => Err(Error::usage(
-                format!("{}: this is not the name of a picture", path.display()),
-                "name it .png (8 bits) or .exr (32-bit float)",
-            )),
+            _ => Err(Error::FileName {
+                path: path.to_owned(),
+                kind: "picture",
+                remedy: "name it .png (8 bits) or .exr (32-bit float)",
+            }),
         }
     }
 }

@@ -171,7 +171,8 @@ impl Algorithm for CoherentLayerPeeling {
 
     fn prepare(&mut self, machine: &mut GlMachine<'_>, _: &Scene) -> Result<()> {
         if !self.depth.has_stencil() {
-            return Err(Error::usage(
+            return Err(Error::option(
+                "depth",
                 "coherent layer peeling counts in the stencil buffer, and this depth format has none",
                 "choose a depth format with a stencil",
             ));

@@ -11,15 +11,17 @@ use crate::gl::Format;
 /// depths.
 pub(super) fn check(method: &dyn Technique, depth: Format) -> Result<()> {
     if !matches!(depth, Format::Depth32F | Format::Depth32FStencil8) {
-        return Err(Error::usage(
-            format!("1/w is held by its bits, which {depth:?} does not keep"),
+        return Err(Error::option(
+            "depth",
+            format!("1/w is held by its bits, which {depth} does not keep"),
             "store depths as 32-bit float, or store window-space depth",
         ));
     }
     let Some(what) = method.needs_window_depth() else {
         return Ok(());
     };
-    Err(Error::usage(
+    Err(Error::option(
+        "inverse-w",
         format!("{} cannot be drawn by 1/w: {what}", method.entry().name),
         "draw by window-space depth, or choose another option",
     ))

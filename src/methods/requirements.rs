@@ -18,11 +18,12 @@ pub(super) fn check(driver: &Driver, color: Format) -> Result<()> {
     }
     let bits = color.alpha_bits();
     if bits < ALPHA_BITS {
-        return Err(Error::usage(
+        return Err(Error::option(
+            "color",
             format!(
-                "depth peeling needs at least {ALPHA_BITS} alpha bits, and the colour format {color:?} has {bits}"
+                "depth peeling needs at least {ALPHA_BITS} alpha bits, and the colour format {color} has {bits}"
             ),
-            "choose Rgba8, Rgba16F or Rgba32F",
+            "choose rgba8, rgba16f or rgba32f",
         ));
     }
     Ok(())

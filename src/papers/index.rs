@@ -1,7 +1,7 @@
 //! Which texts there are, by paper.
 
 use super::paper::Paper;
-use crate::error::{Error, Result, nearest};
+use crate::error::{Error, Result};
 use crate::steps::Text;
 
 /// Every paper whose texts are here, one line each. The line makes it a module, too; its file has its [`Paper`].
@@ -65,16 +65,8 @@ pub fn texts(name: &str) -> Result<Vec<(String, &'static Text)>> {
         .map(|(_, whole, text)| (whole.clone(), *text))
         .collect();
     if found.is_empty() {
-        let names: Vec<&str> = all.iter().map(|(_, whole, _)| whole.as_str()).collect();
-        let meant = nearest(name, &names).map(|meant| format!("Did you mean '{meant}'? "));
-        return Err(Error::usage(
-            format!("there is no listing '{name}'"),
-            format!(
-                "{}the listings are {}",
-                meant.unwrap_or_default(),
-                names.join(", ")
-            ),
-        ));
+        let names: Vec<_> = all.iter().map(|(_, whole, _)| whole).collect();
+        return Err(Error::unknown("listing", name, &names));
     }
     Ok(found)
 }

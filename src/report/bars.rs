@@ -114,9 +114,9 @@ impl Chart<'_> {
             }
             area.present()
         };
-        plot().map_err(|e: DrawingAreaErrorKind<B::ErrorType>| Error::Driver {
-            what: format!("the bars cannot be plotted: {e}"),
-            remedy: "take the numbers from the table".into(),
+        plot().map_err(|e: DrawingAreaErrorKind<B::ErrorType>| Error::Plot {
+            what: "the bars",
+            answer: e.to_string(),
         })
     }
 }

@@ -133,9 +133,9 @@ impl Chart<'_> {
                 .draw()?;
             area.present()
         };
-        plot().map_err(|e: DrawingAreaErrorKind<B::ErrorType>| Error::Driver {
-            what: format!("the curves cannot be plotted: {e}"),
-            remedy: "print them".into(),
+        plot().map_err(|e: DrawingAreaErrorKind<B::ErrorType>| Error::Plot {
+            what: "the curves",
+            answer: e.to_string(),
         })
     }
 }

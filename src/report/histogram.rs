@@ -30,10 +30,11 @@ impl PlotKind {
         match ending.map(str::to_ascii_lowercase).as_deref() {
             Some("svg") => Ok(Self::Svg),
             Some("png") => Ok(Self::Png),
-            _ => Err(Error::usage(
-                format!("{}: this is not the name of a plot", path.display()),
-                "name it .svg or .png",
-            )),
+            _ => Err(Error::FileName {
+                path: path.to_owned(),
+                kind: "plot",
+                remedy: "name it .svg or .png",
+            }),
         }
     }
 }
@@ -112,9 +113,9 @@ fn draw<B: DrawingBackend>(
     caption: &str,
     bins: &[Bin],
 ) -> Result<()> {
-    let wrong = |what: String| Error::Driver {
-        what: format!("the histogram cannot be plotted: {what}"),
-        remedy: "write it as CSV".into(),
+    let wrong = |answer: String| Error::Plot {
+        what: "the histogram",
+        answer,
     };
     let most = bins.iter().map(|bin| bin.pixels).max().unwrap_or(1).max(1);
     let right = bins.last().map_or(1, |bin| bin.to + 1);

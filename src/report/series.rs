@@ -199,9 +199,9 @@ fn draw<B: DrawingBackend>(
             .draw()?;
         area.present()
     };
-    plot().map_err(|e: DrawingAreaErrorKind<B::ErrorType>| Error::Driver {
-        what: format!("the series cannot be plotted: {e}"),
-        remedy: "write it as CSV".into(),
+    plot().map_err(|e: DrawingAreaErrorKind<B::ErrorType>| Error::Plot {
+        what: "the series",
+        answer: e.to_string(),
     })
 }
 

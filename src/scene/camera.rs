@@ -56,7 +56,7 @@ impl Camera {
     pub fn check(&self) -> Result<()> {
         match self.fault() {
             None => Ok(()),
-            Some(fault) => Err(Error::usage(
+            Some(fault) => Err(Error::scene(
                 format!("the camera's {}", fault.what),
                 fault.remedy,
             )),

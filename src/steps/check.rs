@@ -62,25 +62,21 @@ pub fn check(listing: &Listing, amendments: &[Amendment], known: &Known) -> Resu
     found.steps(listing.steps, Scope::of(amendments));
     let names = Names::of(known, &found);
     for (name, place) in &found.names {
-        names.expect(name).map_err(|Unknown { what, remedy }| {
-            Error::usage(
-                format!(
-                    "'{}' names {what}, which does not exist: {place}",
-                    listing.title
-                ),
+        names
+            .expect(name)
+            .map_err(|Unknown { what, remedy }| Error::Listing {
+                listing: listing.title,
+                what: format!("names {what}, which does not exist: {place}"),
                 remedy,
-            )
-        })?;
+            })?;
     }
     for (query, place) in &found.begun {
         if !found.ended.contains(query.0) {
-            return Err(Error::usage(
-                format!(
-                    "'{}' begins the query '{}' and never ends it: {place}",
-                    listing.title, query.0
-                ),
-                "end it behind the draws that it counts: glEndQuery",
-            ));
+            return Err(Error::Listing {
+                listing: listing.title,
+                what: format!("begins the query '{}' and never ends it: {place}", query.0),
+                remedy: "end it behind the draws that it counts: glEndQuery".into(),
+            });
         }
     }
     Ok(())

@@ -67,12 +67,12 @@ impl<'a, M: Machine> DepthUnits<'a, M> {
             Call::DepthMask { flag: true }
             | Call::Clear {
                 mask: Buffers { depth: true, .. },
-            } => Err(Error::usage(
-                format!(
-                    "depth unit 0 cannot perform {call}: it is a shadow map, which is only looked up"
-                ),
-                "let depth unit 1 do it",
-            )),
+            } => Err(Error::CannotPerform {
+                machine: "depth unit 0",
+                call: call.to_string(),
+                why: "it is a shadow map, which is only looked up",
+                remedy: "let depth unit 1 do it",
+            }),
             // Color, stencil and draws belong to no unit.
             _ => self.machine.perform(call),
         }

@@ -13,7 +13,7 @@ pub(crate) fn v07_fewer_than_8_alpha_bits_are_refused_with_what_to_choose() {
     for method in peeling() {
         let error = render(&context, &method, Format::Rgb10A2).unwrap_err();
         let text = error.to_string();
-        for part in ["at least 8 alpha bits", "Rgb10A2 has 2", "Rgba8"] {
+        for part in ["at least 8 alpha bits", "rgb10a2 has 2", "rgba8"] {
             assert!(text.contains(part), "{method}: {text}");
         }
     }

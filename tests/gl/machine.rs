@@ -17,7 +17,7 @@ fn an_error_of_opengl_names_the_step() {
     let mut machine = GlMachine::new(&context, [4, 4]).unwrap();
     let query = Query("never begun");
     let error = machine.perform(&Call::EndQuery { query }).unwrap_err();
-    let Error::Step { step, error } = &error else {
+    let Error::Step { step, error, .. } = &error else {
         panic!("{error}")
     };
     assert_eq!(step, &Call::EndQuery { query }.to_string());
@@ -184,6 +184,7 @@ fn depth_units_are_refused_by_a_real_opengl() {
         .perform(&Call::ActiveDepthUnit { unit: 0 })
         .unwrap_err();
     assert!(error.to_string().contains("no depth units"), "{error}");
+    assert!(matches!(error, Error::CannotPerform { .. }), "{error:?}");
 }
 
 #[test]

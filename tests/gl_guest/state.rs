@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use crate::kit::host::{Host, ODD, gl_call};
 use glow::HasContext;
-use onionskin::{Context, CountBy, Image, Method, Renderer, Scene, registry};
+use onionskin::{Context, CountBy, Error, Image, Method, Renderer, Scene, registry};
 
 #[test]
 fn with_every_state_odd_every_method_gives_the_image_of_a_clean_context_and_the_state_back() {
@@ -246,10 +246,11 @@ fn contexts() -> (Context, Context) {
 
 fn refusal(guest: &Context) -> String {
     let mut renderer = Renderer::new(guest, 16, 16).unwrap();
-    renderer
+    let error = renderer
         .render(&surfaces(40), &"exact".parse::<Method>().unwrap())
-        .unwrap_err()
-        .to_string()
+        .unwrap_err();
+    assert!(matches!(error, Error::HostContext { .. }), "{error:?}");
+    error.to_string()
 }
 
 fn expect(host: &Host<'_>, before: &host::State, after: &str) {

@@ -142,7 +142,7 @@ fn volumes_from_code_may_have_empty_samples_and_no_others_that_are_no_numbers() 
         let mut samples = vec![0.0; 24];
         samples[7] = wrong;
         match from_code(samples) {
-            Err(Error::Usage { what, remedy }) => {
+            Err(Error::Scene { what, remedy, .. }) => {
                 assert!(what.contains("number 7"), "{what}");
                 assert!(remedy.contains("NaN"), "{remedy}");
             }

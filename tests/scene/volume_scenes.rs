@@ -374,7 +374,7 @@ fn transfer_functions_are_linear_between_points_and_may_jump() {
         assert_eq!(transfer.at(value).color, DVec3::splat(density / 8.0));
     }
     let usage = |points: Vec<TransferPoint>| match Transfer::new(points) {
-        Err(Error::Usage { what, .. }) => what,
+        Err(Error::Scene { what, .. }) => what,
         other => panic!("{other:?}"),
     };
     assert!(usage(vec![]).contains("missing"));
@@ -398,7 +398,7 @@ fn transfer_functions_are_linear_between_points_and_may_jump() {
 fn volumes_from_code_are_checked() {
     let usage =
         |dims, count: usize, placement| match Volume::new("v", dims, vec![0.0; count], placement) {
-            Err(Error::Usage { what, .. }) => what,
+            Err(Error::Scene { what, .. }) => what,
             other => panic!("{other:?}"),
         };
     let unit = glam::DAffine3::IDENTITY;

@@ -200,7 +200,7 @@ impl Classic {
     pub(super) fn rectangle(&self, map: Map) -> Result<glow::Texture> {
         let found = self.rectangles.get(&map);
         found.map(|&(raw, _)| raw).ok_or_else(|| {
-            Error::usage(
+            Error::out_of_order(
                 format!("there is no rectangle texture '{map}'"),
                 "glCopyTexSubImage2D makes one",
             )

@@ -120,8 +120,8 @@ impl<'m, 'c> FixedFunction<'m, 'c> {
                         gl.tex_parameter_i32(constant(target), name, value as i32);
                     }
                 }
-                ClassicCall::Enable { cap } => gl.enable(capability(cap)?),
-                ClassicCall::Disable { cap } => gl.disable(capability(cap)?),
+                ClassicCall::Enable { cap } => gl.enable(capability(*call, cap)?),
+                ClassicCall::Disable { cap } => gl.disable(capability(*call, cap)?),
                 ClassicCall::AlphaFunc { func, reference } => {
                     (f.alpha_func)(compare(func), reference);
                 }
@@ -138,13 +138,7 @@ impl<'m, 'c> FixedFunction<'m, 'c> {
                     (f.tex_env)(TEXTURE_ENV, TEXTURE_ENV_MODE, mode as c_int);
                 }
                 ClassicCall::TexEnv { .. } | ClassicCall::BindUnsignedHilo => {
-                    return Err(Error::usage(
-                        format!(
-                            "no driver of today has NV_texture_shader, so {} cannot be performed",
-                            Call::Classic(*call)
-                        ),
-                        "the emulation has it: give the call to GlMachine",
-                    ));
+                    return Err(no_texture_shader(*call));
                 }
                 ClassicCall::DepthTextureMode { mode } => {
                     let mode = match mode {
@@ -307,15 +301,21 @@ const fn constant(target: TextureTarget) -> u32 {
     }
 }
 
-fn capability(cap: ClassicCapability) -> Result<u32> {
+fn capability(call: ClassicCall, cap: ClassicCapability) -> Result<u32> {
     match cap {
         ClassicCapability::AlphaTest => Ok(ALPHA_TEST),
         ClassicCapability::Texture2D => Ok(glow::TEXTURE_2D),
         ClassicCapability::TextureRectangle => Ok(glow::TEXTURE_RECTANGLE),
-        ClassicCapability::TextureShader => Err(Error::usage(
-            "no driver of today has NV_texture_shader",
-            "the emulation has it: give the call to GlMachine",
-        )),
+        ClassicCapability::TextureShader => Err(no_texture_shader(call)),
+    }
+}
+
+fn no_texture_shader(call: ClassicCall) -> Error {
+    Error::CannotPerform {
+        machine: "OpenGL",
+        call: Call::Classic(call).to_string(),
+        why: "no driver of today has NV_texture_shader",
+        remedy: "the emulation has it: give the call to GlMachine",
     }
 }
 

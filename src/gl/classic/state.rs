@@ -4,7 +4,7 @@ use glam::{DMat4, DVec4};
 
 use crate::error::{Error, Result};
 use crate::steps::{
-    ClassicCall, ClassicCapability, Compare, DepthTextureMode, Map, MatrixMode, TexEnvName,
+    Call, ClassicCall, ClassicCapability, Compare, DepthTextureMode, Map, MatrixMode, TexEnvName,
     TexEnvValue, TextureTarget,
 };
 
@@ -107,11 +107,13 @@ impl ClassicState {
     /// # Errors
     /// If OpenGL would refuse the call, or if it is not emulated.
     pub fn perform(&mut self, call: &ClassicCall) -> Result<()> {
-        let wrong = |why: &str| {
-            Err(Error::usage(
-                format!("{call:?}: {why}"),
-                "see steps::ClassicCall",
-            ))
+        let wrong = |why: &'static str| {
+            Err(Error::CannotPerform {
+                machine: "the emulation of classic OpenGL",
+                call: Call::Classic(*call).to_string(),
+                why,
+                remedy: "steps::ClassicCall says which calls there are",
+            })
         };
         match *call {
             ClassicCall::ActiveTexture { unit } if unit as usize >= UNITS => {

@@ -35,10 +35,10 @@ impl Context {
     pub unsafe fn from_glow(gl: Arc<glow::Context>) -> Result<Self> {
         let driver = Driver::read(&gl);
         if let Some(what) = too_low(&driver) {
-            return Err(Error::usage(
+            return Err(Error::Driver {
                 what,
-                "create the context with OpenGL 4.3 core or later",
-            ));
+                remedy: "create the context with OpenGL 4.3 core or later".into(),
+            });
         }
         let mut context = Self::around(gl, driver);
         context.native = Native::current();
@@ -81,7 +81,7 @@ impl Context {
         if self.native.is_none_or(|native| native.is_current()) {
             return Ok(());
         }
-        Err(Error::usage(
+        Err(Error::host(
             "another OpenGL context is current than the one that was handed over, or none",
             "make that one current on this thread before the call",
         ))

@@ -77,7 +77,7 @@ impl Context {
             bindings = Bindings::read(self);
         }
         if bindings.doomed_program(self).is_some() {
-            return Err(Error::usage(
+            return Err(Error::host(
                 "the context uses a program that has been deleted, which could not be put back",
                 "call glUseProgram(0) before the frame",
             ));
@@ -118,7 +118,7 @@ fn expect_interruptible(context: &Context) -> Result<()> {
     for (target, name) in OCCLUSION_QUERIES {
         let query = more.current_query(target);
         if query != 0 {
-            return Err(Error::usage(
+            return Err(Error::host(
                 format!(
                     "the context is in the middle of the query {query} ({name}), and OpenGL counts for one at a time"
                 ),
@@ -127,13 +127,13 @@ fn expect_interruptible(context: &Context) -> Result<()> {
         }
     }
     if let Some(call) = out_of_reach(context) {
-        return Err(Error::usage(
+        return Err(Error::host(
             "the context has a state that is not OpenGL's initial one, and that cannot be changed from here",
             format!("call {call} before the frame"),
         ));
     }
     if is_conditional(context) {
-        return Err(Error::usage(
+        return Err(Error::host(
             "the context is in the middle of a conditional render, which may leave out any draw",
             "call glEndConditionalRender() before the frame",
         ));

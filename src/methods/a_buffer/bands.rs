@@ -143,7 +143,7 @@ fn too_large(row: &Band, width: u32, options: &ABufferOptions, budget: Budget) -
         }
         Manager::Dfb | Manager::Ppll => "give it a larger budget, or render a smaller image",
     };
-    Error::usage(what, remedy)
+    Error::option("budget", what, remedy)
 }
 
 #[cfg(test)]

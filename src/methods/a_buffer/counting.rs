@@ -17,8 +17,9 @@ pub(in crate::low_level::methods) fn expect_stencil(machine: &GlMachine<'_>) -> 
     if format.has_stencil() {
         return Ok(());
     }
-    Err(Error::usage(
-        format!("there is no stencil buffer to count in: depths are stored as {format:?}"),
+    Err(Error::option(
+        "depth",
+        format!("there is no stencil buffer to count in: depths are stored as {format}"),
         "choose a depth format with a stencil, or count by blending (ppAO: amended)",
     ))
 }

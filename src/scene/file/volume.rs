@@ -128,7 +128,7 @@ impl Look {
         let mut volume = volume
             .transformed(&transform)
             .map_err(|error| match error {
-                Error::Usage { what, remedy } => keys.wrong("transform", what, remedy),
+                Error::Scene { what, remedy, .. } => keys.wrong("transform", what, remedy),
                 other => other,
             })?;
         volume.step = self.step;

@@ -110,7 +110,7 @@ fn named(name: &str, generator: &impl Generator) -> Mesh {
 
 /// The mesh, or an error if a parameter is out of its range or the machine has too little memory.
 fn checked(generator: &impl Generator) -> Result<Mesh> {
-    let refused = |refusal: Refusal| Error::usage(refusal.what, refusal.remedy);
+    let refused = |refusal: Refusal| Error::scene(refusal.what, refusal.remedy);
     generator.check().map_err(refused)?;
     let triangles = generator.triangle_count();
     MemoryLimit::of_machine()

@@ -85,7 +85,7 @@ impl Volume {
             .or_else(|| check::samples(&samples).err())
             .or_else(|| check::placement(&index_to_world).err());
         if let Some((what, remedy)) = fault {
-            return Err(Error::usage(format!("the volume '{name}': {what}"), remedy));
+            return Err(Error::scene(format!("the volume '{name}': {what}"), remedy));
         }
         Ok(Self {
             name,
@@ -200,7 +200,7 @@ impl Volume {
         let moved = transform.to_affine() * self.index_to_world;
         if let Err((what, remedy)) = check::placement(&moved) {
             let what = format!("the volume '{}', transformed: {what}", self.name);
-            return Err(Error::usage(what, remedy));
+            return Err(Error::scene(what, remedy));
         }
         self.index_to_world = moved;
         self.world_to_index = moved.inverse();

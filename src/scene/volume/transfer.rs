@@ -54,7 +54,7 @@ impl Transfer {
     pub fn new(points: Vec<TransferPoint>) -> Result<Self> {
         match fault(&points) {
             None => Ok(Self { points }),
-            Some((number, what, remedy)) => Err(Error::usage(
+            Some((number, what, remedy)) => Err(Error::scene(
                 format!("the transfer function's point {number} {what}"),
                 remedy,
             )),

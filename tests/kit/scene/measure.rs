@@ -41,11 +41,11 @@ pub fn worst_agreement(mesh: &Mesh) -> f32 {
     cosines.fold(f32::INFINITY, f32::min)
 }
 
-/// The usage error of a generator, which must be one and say this.
+/// The error of a generator, which must be one of the scene and say this.
 #[track_caller]
 pub fn unusable(result: Result<Mesh, Error>, part: &str) {
     match result {
-        Err(Error::Usage { what, .. }) => assert!(what.contains(part), "{what}"),
+        Err(Error::Scene { what, .. }) => assert!(what.contains(part), "{what}"),
         other => panic!("{other:?}"),
     }
 }

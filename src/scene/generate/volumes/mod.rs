@@ -94,7 +94,7 @@ pub(in crate::low_level::scene) fn sampled(field: &dyn Field) -> Result<Volume, 
 }
 
 fn checked(field: &dyn Field) -> Result<Volume> {
-    let refused = |refusal: Refusal| Error::usage(refusal.what, refusal.remedy);
+    let refused = |refusal: Refusal| Error::scene(refusal.what, refusal.remedy);
     MemoryLimit::of_machine()
         .check(bytes(field).map_err(refused)?)
         .map_err(|shortage| shortage.of("the samples"))?;
