@@ -392,5 +392,5 @@ fn a_count_of_nodes_that_is_neither_is_refused() {
         })
     );
     let error = method.choose("nodes", "5").unwrap_err().to_string();
-    assert!(error.contains("4 or 8"), "{error}");
+    assert!(error.contains("Known are: 4, 8"), "{error}");
 }
