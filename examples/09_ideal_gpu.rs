@@ -7,7 +7,7 @@
 //!
 //! `cargo run --example 09_ideal_gpu [FOLDER]`
 
-use onionskin::options::{CoherentOptions, IdealOptions, TriangleSort, Variant};
+use onionskin::options::{CoherentOptions, IdealOptions, Reading, TriangleSort, Variant};
 use onionskin::{Comparison, Context, Method, Renderer, Scene, difference_picture};
 
 #[path = "common/example.rs"]
@@ -36,9 +36,9 @@ fn main() -> onionskin::Result<()> {
             ..CoherentOptions::from(variant)
         })
     };
-    let ideal = |as_printed, tight_bound| {
+    let ideal = |reading, tight_bound| {
         Method::IdealCoherentLayerPeeling(IdealOptions {
-            as_printed,
+            reading,
             tight_bound,
             ..ideal
         })
@@ -46,9 +46,9 @@ fn main() -> onionskin::Result<()> {
     let mut frames = Vec::new();
     println!("submitted back to front    iterations  geometry passes  maximum error");
     for (name, method) in [
-        ("Algorithm 2", ideal(false, false)),
-        ("Algorithm 2, as printed", ideal(true, false)),
-        ("Algorithm 2, tight bound", ideal(false, true)),
+        ("Algorithm 2", ideal(Reading::Amended, false)),
+        ("Algorithm 2, as printed", ideal(Reading::AsPrinted, false)),
+        ("Algorithm 2, tight bound", ideal(Reading::Amended, true)),
         ("coherent, variant A", coherent(Variant::A)),
         ("coherent, variant B", coherent(Variant::B)),
         ("layer peeling", Method::LayerPeeling(Default::default())),

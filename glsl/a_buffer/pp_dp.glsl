@@ -4,7 +4,8 @@
 // As printed, "not yet resolved" is told by depth alone, so that of several fragments of equal depth those that did not
 // fit into the buffer are skipped in the next pass, and what lies at depth 0 is skipped always. Amended, the
 // order of submission decides between equal depths (errata L1, L4). Either way a pass that did not overflow is the last
-// (L3).
+// (L3), unless the text is read literally: then it waits until as many fragments are resolved as the list has, and is given
+// up after more passes than it has fragments.
 // defines: method
 
 // Inserts with insertion sort. Stores at most N elements, drops the last element on overflow.
@@ -48,6 +49,9 @@ uint take(uint at, bool there) {
 }
 
 void resolve_by_peeling(uint count) {
+#if LITERAL
+    uint resolved = 0u;
+#endif
     do {
         clear_local_array(N);
         subpasses += 1u;
@@ -69,5 +73,10 @@ void resolve_by_peeling(uint count) {
         resolve_local_array(min(left, uint(N)));
         min_key = key[N - 1];    // store min depth of last buffer element
         // A subpass resolves one fragment at least. What did not would go on for ever, and take the GPU with it.
+#if LITERAL
+        resolved += min(left, uint(N));
+    } while (resolved < count && subpasses <= count && !ray_ended());
+#else
     } while (left > uint(N) && subpasses < count && !ray_ended());
+#endif
 }

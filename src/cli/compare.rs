@@ -4,7 +4,8 @@ use std::process::ExitCode;
 
 use clap::Args;
 use comfy_table::{CellAlignment, Table, presets};
-use onionskin::{Context, Method, Result, Stats, registry};
+use onionskin::options::Reading;
+use onionskin::{Context, CountBy, Method, Renderer, Result, Scene, Stats, registry};
 
 use super::loss::loss;
 use super::output::{self, print_json, say};
@@ -35,6 +36,10 @@ pub(super) struct Compare {
     /// Methods, separated by commas, or all; `onionskin methods` describes them
     #[arg(short, long, value_name = "METHODS", default_value = "all")]
     method: String,
+    /// Run each method in every reading of its paper that it has: literally, with what fills the paper's silence, and
+    /// amended. What a reading loses is lost to the paper's silence or to its errors
+    #[arg(long)]
+    readings: bool,
     /// Print one JSON object per method and nothing else
     #[arg(long)]
     json: bool,
@@ -43,6 +48,7 @@ pub(super) struct Compare {
 const EXAMPLES: &str = "\
 Examples:
   onionskin compare scene.toml
+  onionskin compare scene.toml -m coherent-layer-peeling-a --readings
   onionskin compare model.obj -m blend,depth-peeling --size 640x480
   onionskin compare scene.toml --json | jq 'select(.max_error > 0.01) | .method'";
 
@@ -66,25 +72,37 @@ impl Compare {
         let mut renderer = self
             .slices
             .apply_to(self.setup.renderer(&context, &scene)?)?;
-        let progress = Progress::new(methods.len() as u64 + 1, "exact");
+        let most = match self.readings {
+            true => Reading::ALL.len() as u64,
+            false => 1,
+        };
+        let progress = Progress::new(methods.len() as u64 * most + 1, "exact");
         let exact = self.setup.exact(&mut renderer, &scene)?;
         progress.part_done();
         let mut results = Vec::new();
         for method in methods {
-            progress.next(&method.to_string());
-            let frame = renderer.measure(&scene, &method, FRAMES)?;
-            let error = Errors::new(&frame, &exact)?;
-            progress.part_done();
-            // No method's image is kept, because many of them may be large.
-            results.push((frame.stats, error));
+            for reading in self.readings_of(&method) {
+                progress.next(&method.to_string());
+                let method = read(method, reading, &mut renderer, &scene)?;
+                let frame = renderer.measure(&scene, &method, FRAMES)?;
+                let error = Errors::new(&frame, &exact)?;
+                progress.part_done();
+                // No method's image is kept, because many of them may be large.
+                results.push(Row {
+                    stats: frame.stats,
+                    error,
+                    reading: reading.map(Reading::name),
+                });
+            }
         }
         drop(progress);
         if self.json {
-            for (stats, error) in &results {
-                print_json(&Record::new(&scene.name, stats, error))?;
+            for row in &results {
+                let record = Record::new(&scene.name, &row.stats, &row.error);
+                print_json(&record.read(row.reading))?;
             }
         } else {
-            say(table(&results))?;
+            say(table(&results, self.readings))?;
             say(format_args!(
                 "{} fragments in {} x {} pixels",
                 exact.stats.fragments, scene.size[0], scene.size[1]
@@ -96,12 +114,24 @@ impl Compare {
                 say(format_args!("\n{lists}"))?;
             }
         }
-        for (stats, _) in &results {
-            if let Some(note) = loss(stats) {
+        for row in &results {
+            if let Some(note) = loss(&row.stats) {
                 output::note(note);
             }
         }
         Ok(ExitCode::SUCCESS)
+    }
+
+    /// The readings in which a method runs: `None` if it has none, or none is asked for.
+    fn readings_of(&self, method: &Method) -> Vec<Option<Reading>> {
+        let has_readings = method
+            .choices()
+            .iter()
+            .any(|choice| choice.name == "as-printed");
+        match self.readings && has_readings {
+            true => Reading::ALL.map(Some).to_vec(),
+            false => vec![None],
+        }
     }
 
     fn methods(&self) -> Result<Vec<Method>> {
@@ -112,7 +142,32 @@ impl Compare {
     }
 }
 
-/// Prints a note if a method lost fragments.
+/// A method that reads its paper like this. Everitt's text is told how many passes it makes: as many as the deepest pixel
+/// has transparent layers, and one for the opaque one.
+fn read(
+    mut method: Method,
+    reading: Option<Reading>,
+    renderer: &mut Renderer<'_>,
+    scene: &Scene,
+) -> Result<Method> {
+    if let Some(reading @ (Reading::Literal | Reading::AsPrinted)) = reading {
+        method.choose(reading.name(), "")?;
+        if let Method::DepthPeeling(options) = &mut method {
+            options.maximum_number_of_peels =
+                renderer.complexity(scene, CountBy::Blending)?.max() + 1;
+        }
+    }
+    Ok(method)
+}
+
+/// What came of a method.
+struct Row {
+    stats: Stats,
+    error: Errors,
+    reading: Option<&'static str>,
+}
+
+/// Whether a method runs here. A note says which one does not.
 fn runs_here(method: &Method, context: &Context) -> bool {
     let entry = method.entry();
     let runs = entry.runs_on(context.driver());
@@ -124,11 +179,11 @@ fn runs_here(method: &Method, context: &Context) -> bool {
 }
 
 /// Notes about the pixels that the errors leave out: their number, and how wrong they are.
-fn hanging(results: &[(Stats, Errors)]) -> Option<String> {
-    let pixels = results.first()?.1.hanging_pixels;
+fn hanging(results: &[Row]) -> Option<String> {
+    let pixels = results.first()?.error.hanging_pixels;
     let worst = results
         .iter()
-        .map(|(_, errors)| errors.hanging.max)
+        .map(|row| row.error.hanging.max)
         .fold(0.0, f64::max);
     (pixels > 0).then(|| {
         format!(
@@ -138,9 +193,10 @@ fn hanging(results: &[(Stats, Errors)]) -> Option<String> {
     })
 }
 
-fn table(results: &[(Stats, Errors)]) -> Table {
-    let mut table = empty_table(&[
+fn table(results: &[Row], readings: bool) -> Table {
+    let header = [
         "method",
+        "reading",
         "iterations",
         "passes",
         "lost",
@@ -148,10 +204,26 @@ fn table(results: &[(Stats, Errors)]) -> Table {
         "ms",
         "max error",
         "rms error",
-    ]);
-    for (stats, error) in results {
-        table.add_row([
+        "stopped",
+    ];
+    // Which reading, and why it stopped, where it may not have ended by itself.
+    let shown = |column: &usize| readings || ![1, header.len() - 1].contains(column);
+    let shown: Vec<usize> = (0..header.len()).filter(shown).collect();
+    let mut table = empty_table(
+        &shown
+            .iter()
+            .map(|&column| header[column])
+            .collect::<Vec<_>>(),
+    );
+    for Row {
+        stats,
+        error,
+        reading,
+    } in results
+    {
+        let cells = [
             stats.method.clone(),
+            reading.unwrap_or_default().into(),
             stats.iterations.to_string(),
             stats.geometry_passes.to_string(),
             stats
@@ -161,13 +233,15 @@ fn table(results: &[(Stats, Errors)]) -> Table {
             format!("{:.1}", stats.ms),
             format!("{:.2e}", error.real.max),
             format!("{:.2e}", error.real.rms),
-        ]);
+            stats.stopped_text(),
+        ];
+        table.add_row(shown.iter().map(|&column| cells[column].clone()));
     }
     numbers_to_the_right(table)
 }
 
 /// The costs of fragment lists, for the methods that have them.
-fn table_of_lists(results: &[(Stats, Errors)]) -> Option<Table> {
+fn table_of_lists(results: &[Row]) -> Option<Table> {
     let mut table = empty_table(&[
         "fragment lists",
         "bands",
@@ -178,7 +252,7 @@ fn table_of_lists(results: &[(Stats, Errors)]) -> Option<Table> {
         "slots reserved",
         "used",
     ]);
-    for (stats, _) in results {
+    for Row { stats, .. } in results {
         if let Some(counts) = &stats.a_buffer {
             table.add_row([
                 stats.method.clone(),

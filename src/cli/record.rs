@@ -12,6 +12,8 @@ pub(super) const FRAMES: usize = 5;
 pub(super) struct Record<'a> {
     scene: &'a str,
     method: &'a str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    reading: Option<&'a str>,
     iterations: u32,
     geometry_passes: u64,
     layers: Option<u32>,
@@ -89,6 +91,7 @@ impl<'a> Record<'a> {
         Self {
             scene,
             method: &stats.method,
+            reading: None,
             iterations: stats.iterations,
             geometry_passes: stats.geometry_passes,
             layers: stats.layers,
@@ -106,5 +109,10 @@ impl<'a> Record<'a> {
             hanging_pixels: error.hanging_pixels,
             hanging_max_error: error.hanging.max,
         }
+    }
+
+    /// And how the method's text was read.
+    pub(super) fn read(self, reading: Option<&'a str>) -> Self {
+        Self { reading, ..self }
     }
 }

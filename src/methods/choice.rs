@@ -3,6 +3,7 @@
 use std::fmt;
 
 use crate::error::{Error, Result};
+use crate::steps::Reading;
 use crate::words::{self, Words};
 
 /// An option of a method, as it is described to people.
@@ -135,9 +136,35 @@ numbers! { u32 f32 f64 }
 pub(super) const AS_PRINTED: Choice = Choice {
     name: "as-printed",
     takes: Takes::Nothing,
-    help: "Run the paper's text without amendments. Everitt's needs a number of peels, because it cannot find out when to stop. \
-           Loops that would never end are given up",
+    help: "Run the paper's text without amendments; what fills its silence stays. Everitt's needs a number of peels, because \
+           it cannot find out when to stop. Loops that would never end are given up",
 };
+
+/// The same methods have this one.
+pub(super) const LITERAL: Choice = Choice {
+    name: "literal",
+    takes: Takes::Nothing,
+    help: "Run the paper's text without what fills its silence, too",
+};
+
+/// Reads the paper's text like this.
+///
+/// # Errors
+/// If it is read in another way already.
+pub(super) fn read(place: &mut Reading, reading: Reading) -> Result<()> {
+    if ![Reading::Amended, reading].contains(place) {
+        return Err(Error::usage(
+            format!(
+                "the text cannot be read {} and {}",
+                place.name(),
+                reading.name()
+            ),
+            "choose one of the two",
+        ));
+    }
+    *place = reading;
+    Ok(())
+}
 
 /// A number.
 ///

@@ -10,7 +10,7 @@
 use super::algorithm::{Algorithm, Composited, DrawOrder, Drawn, Setup};
 use super::allocate_maps::allocate_maps;
 use super::batches::{Batch, batches, begin_batch};
-use super::choice::{AS_PRINTED, Choice, Setter, Takes, number};
+use super::choice::{AS_PRINTED, Choice, LITERAL, Setter, Takes, number, read};
 use super::entry::{EXACT_BUT_NOT_SLICES, Entry, Memory, Ties, Volumes};
 use super::expect_known::expect_known;
 use super::loop_guard::{LoopGuard, peeled};
@@ -23,7 +23,7 @@ use crate::papers::carr_2008::coherent::{LOOP_A, LOOP_B, VARIANT_A, VARIANT_B};
 use crate::papers::stage;
 use crate::scene::Scene;
 use crate::steps;
-use crate::steps::{Amendment, Dialect, Listing, Variables, run};
+use crate::steps::{Amendment, Dialect, Listing, Reading, Variables, run};
 
 /// The two variants of the paper.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -49,8 +49,8 @@ pub struct CoherentOptions {
     /// An improvement (section 9, after Wexler et al. 2005): the depth range is cut into so many batches of about equally
     /// many triangles, and each is peeled with the triangles that reach into it. 0 and 1 cut nothing.
     pub batches: u32,
-    /// Whether to run the paper's listings and prose without amendments. A loop that goes on for too long is given up.
-    pub as_printed: bool,
+    /// How the paper's listings and prose are read. A loop that goes on for too long without amendments is given up.
+    pub reading: Reading,
     /// More amendments to the listings that run, to try the effect of a changed word.
     pub amendments: &'static [Amendment],
 }
@@ -75,6 +75,8 @@ struct CoherentLayerPeeling {
 /// The listings with the amendments applied, so that improvements can be applied on top.
 const AMENDED_A: Listing = amended(steps! { run VARIANT_A amended by &coherent::AMENDMENTS; });
 const AMENDED_B: Listing = amended(steps! { run VARIANT_B amended by &coherent::AMENDMENTS; });
+const FILLED_A: Listing = amended(steps! { run VARIANT_A amended by &coherent::FILLINGS; });
+const FILLED_B: Listing = amended(steps! { run VARIANT_B amended by &coherent::FILLINGS; });
 const BATCH_A: Listing = amended(steps! { run LOOP_A amended by &coherent::AMENDMENTS; });
 const BATCH_B: Listing = amended(steps! { run LOOP_B amended by &coherent::AMENDMENTS; });
 
@@ -89,7 +91,7 @@ const fn amended(steps: &'static [crate::steps::Step]) -> Listing {
 
 impl CoherentLayerPeeling {
     fn new(options: CoherentOptions, setup: &Setup) -> Self {
-        let peeled = LoopGuard::new(options.as_printed);
+        let peeled = LoopGuard::new(options.reading);
         Self {
             options,
             peeled: match options.amendments {
@@ -115,11 +117,13 @@ impl CoherentLayerPeeling {
     }
 
     fn listing(&self) -> Listing {
-        match (self.options.variant, self.options.as_printed) {
-            (Variant::A, true) => coherent::VARIANT_A,
-            (Variant::B, true) => coherent::VARIANT_B,
-            (Variant::A, false) => AMENDED_A,
-            (Variant::B, false) => AMENDED_B,
+        match (self.options.variant, self.options.reading) {
+            (Variant::A, Reading::Literal) => coherent::VARIANT_A,
+            (Variant::B, Reading::Literal) => coherent::VARIANT_B,
+            (Variant::A, Reading::AsPrinted) => FILLED_A,
+            (Variant::B, Reading::AsPrinted) => FILLED_B,
+            (Variant::A, Reading::Amended) => AMENDED_A,
+            (Variant::B, Reading::Amended) => AMENDED_B,
         }
     }
 
@@ -160,7 +164,7 @@ impl CoherentLayerPeeling {
 impl Algorithm for CoherentLayerPeeling {
     fn order(&mut self, scene: &Scene) -> DrawOrder {
         let order = self.options.sorting.order(scene);
-        if self.options.batches < 2 || self.options.as_printed {
+        if self.options.batches < 2 || self.options.reading != Reading::Amended {
             return DrawOrder::Sorted(order);
         }
         let (batches, mut orders) = batches(scene, &order, self.options.batches);
@@ -233,7 +237,7 @@ impl Technique for CoherentOptions {
 
     fn check(&self) -> Result<()> {
         let improved = self.tie_friendly || self.stop_early || self.batches > 0;
-        one_of_both(self.as_printed, improved)
+        one_of_both(self.reading, improved)
     }
 
     fn needs_window_depth(&self) -> Option<&'static str> {
@@ -251,11 +255,11 @@ pub(super) const IMPROVE: Choice = Choice {
 
 /// # Errors
 /// If both are chosen.
-pub(super) fn one_of_both(as_printed: bool, improved: bool) -> Result<()> {
-    if as_printed && improved {
+pub(super) fn one_of_both(reading: Reading, improved: bool) -> Result<()> {
+    if reading != Reading::Amended && improved {
         return Err(Error::option(
             "improve",
-            "the paper as printed has none of the improvements",
+            "the paper without amendments has none of the improvements",
             "leave them out, or let the paper be amended",
         ));
     }
@@ -288,7 +292,8 @@ impl Published for CoherentOptions {
     const CHOICES: &'static [Setter<Self>] = &[
         SORT.of(|o| &mut o.sorting),
         IMPROVE.by(|o, list| list.split(',').try_for_each(|text| improve(o, text))),
-        AS_PRINTED.of(|o| &mut o.as_printed),
+        AS_PRINTED.by(|o, _| read(&mut o.reading, Reading::AsPrinted)),
+        LITERAL.by(|o, _| read(&mut o.reading, Reading::Literal)),
     ];
 
     fn variants() -> Vec<Self> {

@@ -10,7 +10,7 @@
 
 use super::algorithm::{Algorithm, Composited, Drawn, Setup};
 use super::allocate_maps::allocate_maps;
-use super::choice::{AS_PRINTED, Choice, Setter, Takes};
+use super::choice::{AS_PRINTED, Choice, LITERAL, Setter, Takes, read};
 use super::depth_unit_0::DepthUnit0;
 use super::entry::{Entry, Memory, Ties, Volumes};
 use super::expect_known::expect_known;
@@ -24,7 +24,7 @@ use crate::papers::everitt_2001::{self, LISTING_1};
 use crate::papers::{stage, vtk};
 use crate::scene::Scene;
 use crate::steps::{
-    Amendment, Call, DepthUnits, Listing, Machine, Outcome, Reason, Variables, run,
+    Amendment, Call, DepthUnits, Listing, Machine, Outcome, Reading, Reason, Variables, run,
 };
 use crate::words::{Words, words};
 
@@ -51,9 +51,9 @@ pub struct DepthPeelingOptions {
     pub occlusion_ratio: f64,
     /// The way in which layers become an image.
     pub compositing: Compositing,
-    /// Whether to run Listing 1 and the blending function without amendments. All objects, opaque or not, are then
-    /// peeled in `maximum_number_of_peels` passes, which must be at least one.
-    pub as_printed: bool,
+    /// How Listing 1 and the blending function are read. Without amendments all objects, opaque or not, are peeled in
+    /// `maximum_number_of_peels` passes, which must be at least one.
+    pub reading: Reading,
     /// Depth unit 0, which peels: as OpenGL has it today, or as it was made in 2001.
     pub depth_unit_0: DepthUnit0,
     /// More amendments to the listings that run, to try the effect of a changed word.
@@ -61,9 +61,14 @@ pub struct DepthPeelingOptions {
 }
 
 impl DepthPeelingOptions {
+    /// Whether Everitt's text runs as it stands. It is silent nowhere, so there is nothing to be filled.
+    fn is_printed(&self) -> bool {
+        self.reading != Reading::Amended
+    }
+
     /// Whether the frame has the layers.
     fn keeps_layers(&self) -> bool {
-        self.as_printed || self.compositing == Compositing::KeepLayers
+        self.is_printed() || self.compositing == Compositing::KeepLayers
     }
 }
 
@@ -90,7 +95,7 @@ impl Algorithm for DepthPeeling {
     }
 
     fn draw(&mut self, machine: &mut GlMachine<'_>, scene: &Scene) -> Result<Drawn> {
-        if self.options.as_printed {
+        if self.options.is_printed() {
             return self.draw_as_printed(machine);
         }
         if scene.meshes.iter().all(|mesh| mesh.opaque) {
@@ -144,7 +149,7 @@ impl DepthPeeling {
 
     fn expect_known(&self, machine: &GlMachine<'_>) -> Result<()> {
         let amendments = self.options.amendments;
-        if self.options.as_printed {
+        if self.options.is_printed() {
             expect_known(machine, &LISTING_1, amendments, &[&vtk::PEELING])?;
             let resources = [&vtk::PEELING, &everitt_2001::COMPOSITING];
             return expect_known(machine, &everitt_2001::COMPOSITE, amendments, &resources);
@@ -270,14 +275,14 @@ impl Technique for DepthPeelingOptions {
                 "0 is exact; 0.01 ignores peels that change less than 1% of the image",
             ));
         }
-        if self.as_printed && self.depth_unit_0 != DepthUnit0::Sampler {
+        if self.is_printed() && self.depth_unit_0 != DepthUnit0::Sampler {
             return Err(Error::option(
                 "depth-unit-0",
                 "Listing 1 as printed has depth units of its own",
                 "leave it out, or let the listing be amended",
             ));
         }
-        if self.as_printed && self.maximum_number_of_peels == 0 {
+        if self.is_printed() && self.maximum_number_of_peels == 0 {
             return Err(Error::option(
                 "peels",
                 "Listing 1 as printed has no way to find out when to stop",
@@ -332,6 +337,7 @@ impl Published for DepthPeelingOptions {
             Ok(())
         }),
         DEPTH_UNIT_0.of(|o| &mut o.depth_unit_0),
-        AS_PRINTED.of(|o| &mut o.as_printed),
+        AS_PRINTED.by(|o, _| read(&mut o.reading, Reading::AsPrinted)),
+        LITERAL.by(|o, _| read(&mut o.reading, Reading::Literal)),
     ];
 }

@@ -10,7 +10,7 @@
 
 use super::algorithm::{Algorithm, DrawOrder, Drawn, Setup};
 use super::allocate_maps::allocate_maps;
-use super::choice::{AS_PRINTED, Setter};
+use super::choice::{AS_PRINTED, LITERAL, Setter, read};
 use super::entry::{EXACT_BUT_NOT_SLICES, Entry, Memory, Ties, Volumes};
 use super::loop_guard::{LoopGuard, peeled};
 use super::sorting::sorted_meshes_front_to_back;
@@ -19,13 +19,13 @@ use crate::error::Result;
 use crate::gl::{Format, GlMachine};
 use crate::papers::carr_2008::hybrid;
 use crate::scene::Scene;
-use crate::steps::run;
+use crate::steps::{Reading, run};
 
 /// What can be chosen about hybrid layer peeling.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct HybridLayerPeelingOptions {
-    /// The paper's text with nothing amended. Given up when it goes on for too long.
-    pub as_printed: bool,
+    /// How the paper's text is read. Loops that go on for too long without its amendments are given up.
+    pub reading: Reading,
 }
 
 struct HybridLayerPeeling {
@@ -47,7 +47,7 @@ impl Algorithm for HybridLayerPeeling {
     fn draw(&mut self, machine: &mut GlMachine<'_>, _: &Scene) -> Result<Drawn> {
         let outcome = run(
             &hybrid::HYBRID,
-            self.peeled.amendments(&hybrid::AMENDMENTS),
+            &self.peeled.amendments(&hybrid::AMENDMENTS),
             self.peeled.variables(),
             machine,
         )?;
@@ -74,7 +74,7 @@ impl Technique for HybridLayerPeelingOptions {
 
     fn algorithm(&self, setup: &Setup) -> Box<dyn Algorithm> {
         Box::new(HybridLayerPeeling {
-            peeled: LoopGuard::new(self.as_printed),
+            peeled: LoopGuard::new(self.reading),
             color: setup.color,
             depth: setup.depth,
         })
@@ -82,5 +82,8 @@ impl Technique for HybridLayerPeelingOptions {
 }
 
 impl Published for HybridLayerPeelingOptions {
-    const CHOICES: &'static [Setter<Self>] = &[AS_PRINTED.of(|o| &mut o.as_printed)];
+    const CHOICES: &'static [Setter<Self>] = &[
+        AS_PRINTED.by(|o, _| read(&mut o.reading, Reading::AsPrinted)),
+        LITERAL.by(|o, _| read(&mut o.reading, Reading::Literal)),
+    ];
 }

@@ -7,7 +7,7 @@
 use super::algorithm::{Algorithm, Composited, DrawOrder, Drawn, Setup};
 use super::allocate_maps::allocate_maps;
 use super::buffer_access::{BufferAccess, FETCH, INTERLOCK};
-use super::choice::{AS_PRINTED, Setter};
+use super::choice::{AS_PRINTED, LITERAL, Setter, read};
 use super::coherent_layer_peeling::{IMPROVE, one_of_both};
 use super::entry::{EXACT_BUT_NOT_SLICES, Entry, Memory, Ties, Volumes};
 use super::loop_guard::{LoopGuard, peeled};
@@ -17,7 +17,7 @@ use crate::error::{Error, Result};
 use crate::gl::GlMachine;
 use crate::papers::carr_2008::ideal;
 use crate::scene::Scene;
-use crate::steps::{Format, Resources, run};
+use crate::steps::{Format, Reading, Resources, run};
 
 /// Options of coherent layer peeling on the ideal GPU.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -26,8 +26,8 @@ pub struct IdealOptions {
     pub sorting: TriangleSort,
     /// An improvement: an unbroken run ends at the loose bound `z2` ([`ideal::TIGHT_BOUND`]).
     pub tight_bound: bool,
-    /// Whether to run Algorithm 2 without amendments. A loop that goes on for too long is given up.
-    pub as_printed: bool,
+    /// How Algorithm 2 is read. Loops that go on for too long without its amendments are given up.
+    pub reading: Reading,
     /// The way in which its buffers are read and written.
     pub access: BufferAccess,
 }
@@ -42,7 +42,7 @@ impl IdealCoherentLayerPeeling {
     fn new(options: IdealOptions) -> Self {
         Self {
             options,
-            peeled: LoopGuard::new(options.as_printed),
+            peeled: LoopGuard::new(options.reading),
             by_images: false,
         }
     }
@@ -73,20 +73,19 @@ impl Algorithm for IdealCoherentLayerPeeling {
     }
 
     fn draw(&mut self, machine: &mut GlMachine<'_>, _: &Scene) -> Result<Drawn> {
-        let amendments = match self.options.tight_bound {
+        let mut amendments = match self.options.tight_bound {
             true => self.peeled.amendments(&ideal::TIGHT_BOUND_ON_GL),
             false => self.peeled.amendments(&ideal::AMENDMENTS),
         };
-        let mut amendments = amendments.to_vec();
         if self.by_images {
             amendments.extend(ideal::BY_IMAGES);
         }
         let outcome = run(&ideal::IDEAL, &amendments, self.peeled.variables(), machine)?;
         Ok(Drawn {
             // Its shaders composite without blending or discarding, so no query can count.
-            composited: match self.options.as_printed {
-                true => Composited::Unknown,
-                false => Composited::All,
+            composited: match self.options.reading {
+                Reading::Amended => Composited::All,
+                _ => Composited::Unknown,
             },
             ..peeled(&outcome)
         })
@@ -115,7 +114,7 @@ impl Technique for IdealOptions {
     }
 
     fn check(&self) -> Result<()> {
-        one_of_both(self.as_printed, self.tight_bound)
+        one_of_both(self.reading, self.tight_bound)
     }
 }
 
@@ -131,6 +130,7 @@ impl Published for IdealOptions {
             o.tight_bound = true;
             Ok(())
         }),
-        AS_PRINTED.of(|o| &mut o.as_printed),
+        AS_PRINTED.by(|o, _| read(&mut o.reading, Reading::AsPrinted)),
+        LITERAL.by(|o, _| read(&mut o.reading, Reading::Literal)),
     ];
 }

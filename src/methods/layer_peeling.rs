@@ -7,7 +7,7 @@
 
 use super::algorithm::{Algorithm, Drawn, Setup};
 use super::allocate_maps::allocate_maps;
-use super::choice::{AS_PRINTED, Setter};
+use super::choice::{AS_PRINTED, LITERAL, Setter, read};
 use super::entry::{EXACT_BUT_NOT_SLICES, Entry, Memory, Ties, Volumes};
 use super::loop_guard::{LoopGuard, peeled};
 use super::technique::{Published, Technique};
@@ -15,13 +15,13 @@ use crate::error::Result;
 use crate::gl::{Format, GlMachine};
 use crate::papers::carr_2008::hybrid;
 use crate::scene::Scene;
-use crate::steps::run;
+use crate::steps::{Reading, run};
 
 /// What can be chosen about layer peeling.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct LayerPeelingOptions {
-    /// Whether to run the paper's text without amendments. A loop that goes on for too long is given up.
-    pub as_printed: bool,
+    /// How the paper's text is read. Loops that go on for too long without its amendments are given up.
+    pub reading: Reading,
 }
 
 struct LayerPeeling {
@@ -39,7 +39,7 @@ impl Algorithm for LayerPeeling {
     fn draw(&mut self, machine: &mut GlMachine<'_>, _: &Scene) -> Result<Drawn> {
         let outcome = run(
             &hybrid::LAYER_PEELING,
-            self.peeled.amendments(&hybrid::AMENDMENTS),
+            &self.peeled.amendments(&hybrid::AMENDMENTS),
             self.peeled.variables(),
             machine,
         )?;
@@ -66,7 +66,7 @@ impl Technique for LayerPeelingOptions {
 
     fn algorithm(&self, setup: &Setup) -> Box<dyn Algorithm> {
         Box::new(LayerPeeling {
-            peeled: LoopGuard::new(self.as_printed),
+            peeled: LoopGuard::new(self.reading),
             color: setup.color,
             depth: setup.depth,
         })
@@ -74,5 +74,8 @@ impl Technique for LayerPeelingOptions {
 }
 
 impl Published for LayerPeelingOptions {
-    const CHOICES: &'static [Setter<Self>] = &[AS_PRINTED.of(|o| &mut o.as_printed)];
+    const CHOICES: &'static [Setter<Self>] = &[
+        AS_PRINTED.by(|o, _| read(&mut o.reading, Reading::AsPrinted)),
+        LITERAL.by(|o, _| read(&mut o.reading, Reading::Literal)),
+    ];
 }

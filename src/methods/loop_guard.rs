@@ -4,20 +4,20 @@ use super::algorithm::{Composited, Drawn};
 use super::iteration_bound::iteration_bound;
 use crate::error::Result;
 use crate::gl::GlMachine;
-use crate::steps::{Amendment, Outcome, Reason, Variables};
+use crate::steps::{Amendment, Outcome, Reading, Reason, Variables};
 
-/// Whether a loop runs as printed, and the number of iterations after which it is given up.
+/// How a loop's text is read, and the number of iterations after which it is given up.
 pub(super) struct LoopGuard {
-    as_printed: bool,
+    reading: Reading,
     guarded: bool,
     iteration_limit: f64,
 }
 
 impl LoopGuard {
-    pub(super) fn new(as_printed: bool) -> Self {
+    pub(super) fn new(reading: Reading) -> Self {
         Self {
-            as_printed,
-            guarded: as_printed,
+            reading,
+            guarded: reading != Reading::Amended,
             iteration_limit: f64::INFINITY,
         }
     }
@@ -42,8 +42,8 @@ impl LoopGuard {
         Variables::new().with("iteration_limit", self.iteration_limit)
     }
 
-    pub(super) fn amendments<'a>(&self, amendments: &'a [Amendment]) -> &'a [Amendment] {
-        if self.as_printed { &[] } else { amendments }
+    pub(super) fn amendments(&self, amendments: &[Amendment]) -> Vec<Amendment> {
+        self.reading.of(amendments)
     }
 }
 

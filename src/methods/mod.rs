@@ -44,6 +44,7 @@ macro_rules! declare {
             pub use crate::methods::depth_unit_0::{DepthSource, DepthUnit0, Experiment, Comparator};
             pub use crate::methods::buffer_access::BufferAccess;
             pub use crate::methods::sorting::TriangleSort;
+            pub use crate::steps::Reading;
         }
     };
 }

@@ -284,7 +284,7 @@ fn without_a_stencil_buffer_nothing_is_counted_in_it() {
     assert_eq!((error.over, frame.stats.lost), (0, Some(0)));
     let printed = ABufferOptions {
         pp_ao: true,
-        as_printed: true,
+        reading: onionskin::options::Reading::AsPrinted,
         ..fixed
     };
     let refused = [

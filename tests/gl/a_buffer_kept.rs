@@ -384,7 +384,7 @@ fn keeping_the_nearest_is_refused_where_it_means_nothing() {
         (
             ABufferOptions {
                 pp_ao: true,
-                as_printed: true,
+                reading: onionskin::options::Reading::AsPrinted,
                 ..good
             },
             "as printed",

@@ -8,7 +8,9 @@ use crate::kit::stack;
 use onionskin::generate::{TorusKnot, torus_knot};
 use onionskin::low_level::papers::carr_2008::{AT_BOUND, AT_BOUND_AS_PRINTED};
 use onionskin::low_level::steps::{Amendment, Reason};
-use onionskin::options::{BufferAccess, CoherentOptions, IdealOptions, TriangleSort, Variant};
+use onionskin::options::{
+    BufferAccess, CoherentOptions, IdealOptions, Reading, TriangleSort, Variant,
+};
 use onionskin::{Context, Method, Scene, steps};
 
 #[test]
@@ -124,22 +126,6 @@ fn improvements_give_the_same_image() {
 // ---- As printed ------------------------------------------------------------------------------------------------------
 
 #[test]
-fn everything_as_printed_gives_another_image() {
-    let context = Context::headless().unwrap();
-    let scene = example("knots", [60, 45]);
-    let exact = render(&context, &scene, &Method::Exact);
-    for variant in [Variant::A, Variant::B] {
-        let options = CoherentOptions {
-            as_printed: true,
-            ..variant.into()
-        };
-        let frame = render(&context, &scene, &Method::CoherentLayerPeeling(options));
-        println!("{variant:?} as printed: {}", frame.stats.stopped_text());
-        assert!(error(&frame, &exact) > 0.1, "{variant:?}");
-    }
-}
-
-#[test]
 pub(crate) fn x8_what_never_ends_is_given_up_and_says_so() {
     const AS_PRINTED: Amendment = Amendment {
         key: "X8 undone",
@@ -192,9 +178,9 @@ pub(crate) fn x22_as_printed_the_ideal_gpu_composites_layers_again() {
     }
     let scene = example("knots", [120, 90]);
     let exact = render(&context, &scene, &Method::Exact);
-    let run = |as_printed, tight_bound| {
+    let run = |reading, tight_bound| {
         let options = IdealOptions {
-            as_printed,
+            reading,
             tight_bound,
             ..IdealOptions::default()
         };
@@ -204,8 +190,8 @@ pub(crate) fn x22_as_printed_the_ideal_gpu_composites_layers_again() {
             &Method::IdealCoherentLayerPeeling(options),
         )
     };
-    assert!(error(&run(true, false), &exact) > 0.01);
-    let (faithful, tight) = (run(false, false), run(false, true));
+    assert!(error(&run(Reading::AsPrinted, false), &exact) > 0.01);
+    let (faithful, tight) = (run(Reading::Amended, false), run(Reading::Amended, true));
     assert!(error(&faithful, &exact) <= F32 && error(&tight, &exact) <= F32);
     // X23.
     assert!(tight.stats.iterations <= faithful.stats.iterations);

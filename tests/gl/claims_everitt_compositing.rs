@@ -53,7 +53,7 @@ pub(crate) fn e12_the_printed_blend_function_leaves_an_opaque_image_translucent(
     let alpha = |amendments| {
         let options = DepthPeelingOptions {
             maximum_number_of_peels: 2,
-            as_printed: true,
+            reading: onionskin::options::Reading::AsPrinted,
             amendments,
             ..Default::default()
         };
@@ -76,7 +76,7 @@ pub(crate) fn e12_as_printed_with_enough_passes_gives_the_right_colors() {
     check_stacks(stack::stacks(stack::LEVELS, true), 64, |context, stack| {
         let options = DepthPeelingOptions {
             maximum_number_of_peels: 13,
-            as_printed: true,
+            reading: onionskin::options::Reading::AsPrinted,
             ..Default::default()
         };
         let frame = peel(context, &stack.scene(), options);
@@ -101,7 +101,7 @@ fn e12_as_printed_with_a_pass_too_few_gives_other_colors() {
     let off = |passes| {
         let options = DepthPeelingOptions {
             maximum_number_of_peels: passes,
-            as_printed: true,
+            reading: onionskin::options::Reading::AsPrinted,
             ..Default::default()
         };
         let image = without_alpha(peel(&context, &stack.scene(), options).image);

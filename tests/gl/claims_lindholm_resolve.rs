@@ -43,14 +43,17 @@ pub(crate) fn l10_the_fill_counts_and_no_geometry_pass_is_added() {
     let context = Context::headless().unwrap();
     let scene = bundled("soup.toml", [160, 120]);
     let mut renderer = Renderer::new(&context, 160, 120).unwrap();
-    for as_printed in [false, true] {
+    for reading in [
+        onionskin::options::Reading::Amended,
+        onionskin::options::Reading::AsPrinted,
+    ] {
         let (plain, static_cost) = render(&mut renderer, &scene, options());
         let (frame, cost) = render(
             &mut renderer,
             &scene,
             ABufferOptions {
                 pp_ao: true,
-                as_printed,
+                reading,
                 ..options()
             },
         );
@@ -114,7 +117,7 @@ pub(crate) fn l11_as_printed_the_stencil_loses_what_lies_past_the_last_segment()
         let options = ABufferOptions {
             pp_ao: true,
             pp_dp,
-            as_printed: true,
+            reading: onionskin::options::Reading::AsPrinted,
             ..options()
         };
         let (frame, _) = render(&mut renderer, &stack.scene(), options);
@@ -132,7 +135,7 @@ pub(crate) fn l07_as_printed_pixels_are_resolved_twice() {
     let printed = ABufferOptions {
         pp_ao: true,
         array: 256,
-        as_printed: true,
+        reading: onionskin::options::Reading::AsPrinted,
         ..options()
     };
     let (frame, cost) = render(&mut renderer, &stack.scene(), printed);
@@ -141,7 +144,7 @@ pub(crate) fn l07_as_printed_pixels_are_resolved_twice() {
     let error = Comparison::new(&frame.image, &stack.expected(), F32).unwrap();
     assert!(error.over > 0, "blended twice: {error:?}");
     let amended = ABufferOptions {
-        as_printed: false,
+        reading: onionskin::options::Reading::Amended,
         ..printed
     };
     let (frame, cost) = render(&mut renderer, &stack.scene(), amended);
@@ -190,7 +193,7 @@ pub(crate) fn l13_as_printed_ties_are_lost_where_a_buffer_ends_and_amended_none(
             let scene = stack.scene();
             let printed = ABufferOptions {
                 pp_dp: true,
-                as_printed: true,
+                reading: onionskin::options::Reading::AsPrinted,
                 ..options()
             };
             let (frame, cost) = render(&mut renderer, &scene, printed);
@@ -209,7 +212,7 @@ pub(crate) fn l13_as_printed_ties_are_lost_where_a_buffer_ends_and_amended_none(
             lost_in_all += expected.0;
 
             let amended = ABufferOptions {
-                as_printed: false,
+                reading: onionskin::options::Reading::Amended,
                 ..printed
             };
             let (frame, _) = render(&mut renderer, &scene, amended);

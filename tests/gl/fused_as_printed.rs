@@ -18,7 +18,7 @@ const AS_PRINTED: ABufferOptions = ABufferOptions {
     manager: Manager::Dfb,
     color: RecordColor::Float,
     sort: ArraySort::Insertion,
-    as_printed: true,
+    reading: onionskin::options::Reading::AsPrinted,
     ..ABufferOptions::DEFAULT
 };
 const PP_DP_AS_PRINTED: ABufferOptions = ABufferOptions {
@@ -77,7 +77,7 @@ fn loses(
     printed: &[Part],
 ) {
     let amended = ABufferOptions {
-        as_printed: false,
+        reading: onionskin::options::Reading::Amended,
         ..options
     };
     let frame = by(context, scene, amended);

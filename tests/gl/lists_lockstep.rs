@@ -74,7 +74,7 @@ fn twins() -> Vec<Twins> {
             add("ppDP", PP_DP, &PP_DP_AMENDMENTS, options);
             if CONTIGUOUS.contains(&manager) {
                 let as_printed = ABufferOptions {
-                    as_printed: true,
+                    reading: onionskin::options::Reading::AsPrinted,
                     ..options
                 };
                 add("ppDP as printed", PP_DP, &[STOP], as_printed);
@@ -103,7 +103,7 @@ fn twins() -> Vec<Twins> {
         };
         add("ppAO + ppDP", PP_AO, &[PP_AO_AMENDMENT], both);
         let as_printed = ABufferOptions {
-            as_printed: true,
+            reading: onionskin::options::Reading::AsPrinted,
             ..pp_ao
         };
         let invert = stencil(Counter::Stencil, Mark::Invert);
@@ -235,7 +235,7 @@ fn the_pseudocode_and_the_shaders_resolve_the_same_fragments() {
             twins.array(),
             lost.get()
         );
-        let loses = options.as_printed || !options.pp_dp;
+        let loses = options.reading == onionskin::options::Reading::AsPrinted || !options.pp_dp;
         assert_eq!(lost.get() > 0, loses, "{name}");
     }
 }
@@ -268,11 +268,13 @@ fn an_algorithm_that_differs_would_be_noticed() {
             pp_ao,
             pp_dp,
             keep,
-            as_printed,
+            reading,
             ..
         } = twins.options;
         twins.amendments = match keep {
-            Keep::First if as_printed && pp_ao => vec![PP_AO_WITHOUT_PP_DP],
+            Keep::First if reading == onionskin::options::Reading::AsPrinted && pp_ao => {
+                vec![PP_AO_WITHOUT_PP_DP]
+            }
             // What the array keeps is then not what the shader keeps.
             Keep::First if !pp_ao && !pp_dp => vec![KEEP_NEAREST],
             Keep::Nearest if pp_ao => vec![PP_AO_WITHOUT_PP_DP],

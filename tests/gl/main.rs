@@ -53,6 +53,7 @@ mod multi_layer_alpha_blending;
 mod own_shader;
 mod peeling;
 mod peeling_changed;
+mod readings;
 mod slices;
 mod uploads;
 mod volumes;

@@ -15,10 +15,10 @@ fn a_listing_with_one_changed_word_gives_another_image() {
     let context = Context::headless().unwrap();
     let (_, stack) = exemplary();
     let expected = stack.expected();
-    let off = |amendments: &'static [Amendment], as_printed| {
+    let off = |amendments: &'static [Amendment], reading| {
         let options = DepthPeelingOptions {
             maximum_number_of_peels: 12,
-            as_printed,
+            reading,
             amendments,
             ..Default::default()
         };
@@ -30,14 +30,17 @@ fn a_listing_with_one_changed_word_gives_another_image() {
         .unwrap()
         .over
     };
-    assert_eq!(off(&[], false), 0);
+    assert_eq!(off(&[], onionskin::options::Reading::Amended), 0);
     for (name, change) in CHANGES {
-        assert!(off(change, false) > 0, "{name} was not noticed");
+        assert!(
+            off(change, onionskin::options::Reading::Amended) > 0,
+            "{name} was not noticed"
+        );
     }
     // As printed, a layer's pixels are not told from background by their depth, so the colours must be clear.
     const COLOR: &[Amendment] = &[changed(steps! { clear color buffer; }, steps! {})];
     assert!(
-        off(COLOR, true) > 0,
+        off(COLOR, onionskin::options::Reading::AsPrinted) > 0,
         "a dropped colour clear was not noticed"
     );
 }
@@ -130,16 +133,19 @@ fn a_user_s_amendment_that_misspells_a_name_is_refused_before_a_frame_is_drawn()
     let (_, stack) = exemplary();
     let mut renderer = Renderer::new(&context, 8, 8).unwrap();
     for (amendments, meant) in [(SHADER, "'peel'"), (NEVER, "'opaque depth'")] {
-        for as_printed in [false, true] {
+        for reading in [
+            onionskin::options::Reading::Amended,
+            onionskin::options::Reading::AsPrinted,
+        ] {
             let method = Method::DepthPeeling(DepthPeelingOptions {
                 maximum_number_of_peels: 2,
-                as_printed,
+                reading,
                 amendments,
                 ..Default::default()
             });
             let refused = renderer.render(&stack.scene(), &method);
             // As printed, the program is none of the listing's.
-            if as_printed && meant == "'peel'" {
+            if reading == onionskin::options::Reading::AsPrinted && meant == "'peel'" {
                 refused.unwrap();
             } else {
                 let error = refused.unwrap_err().to_string();

@@ -205,7 +205,7 @@ fn listing_1_runs_as_printed_and_writes_no_layer_that_was_not_asked_for() {
     desk.result(&[&render[..], &["--peels", "5"]].concat());
     let options = DepthPeelingOptions {
         maximum_number_of_peels: 5,
-        as_printed: true,
+        reading: onionskin::options::Reading::AsPrinted,
         ..Default::default()
     };
     let frame = library(&desk, "sheets.toml", None, &peeling(options));

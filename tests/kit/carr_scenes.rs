@@ -12,9 +12,12 @@ pub fn ideal(sorting: TriangleSort) -> Method {
     })
 }
 
-pub const LAYERS: Method = Method::LayerPeeling(LayerPeelingOptions { as_printed: false });
-pub const HYBRID: Method =
-    Method::HybridLayerPeeling(HybridLayerPeelingOptions { as_printed: false });
+pub const LAYERS: Method = Method::LayerPeeling(LayerPeelingOptions {
+    reading: onionskin::options::Reading::Amended,
+});
+pub const HYBRID: Method = Method::HybridLayerPeeling(HybridLayerPeelingOptions {
+    reading: onionskin::options::Reading::Amended,
+});
 
 pub fn error(frame: &Frame, exact: &Frame) -> f64 {
     Comparison::new(&frame.image, &exact.image, 0.0)

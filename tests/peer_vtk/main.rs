@@ -31,7 +31,7 @@ const PEELING: Method = Method::DepthPeeling(DepthPeelingOptions {
     maximum_number_of_peels: 0,
     occlusion_ratio: 0.0,
     compositing: onionskin::options::Compositing::OnTheFly,
-    as_printed: false,
+    reading: onionskin::options::Reading::Amended,
     depth_unit_0: onionskin::options::DepthUnit0::Sampler,
     amendments: &[],
 });

@@ -1,7 +1,8 @@
 //! The options of A-buffers, by name.
 
-use super::super::choice::{AS_PRINTED, Choice, Setter, Takes, number};
+use super::super::choice::{AS_PRINTED, Choice, LITERAL, Setter, Takes, number, read};
 use super::options::{ABufferOptions, ArraySort, Fill, Keep, RecordColor};
+use crate::steps::Reading;
 use crate::words::{Words, words};
 
 pub(super) const CHOICES: &[Setter<ABufferOptions>] = &[
@@ -17,7 +18,8 @@ pub(super) const CHOICES: &[Setter<ABufferOptions>] = &[
     FILL.of(|o| &mut o.fill),
     ARRAY_SORT.of(|o| &mut o.sort),
     RECORD_COLOR.of(|o| &mut o.color),
-    AS_PRINTED.of(|o| &mut o.as_printed),
+    AS_PRINTED.by(|o, _| read(&mut o.reading, Reading::AsPrinted)),
+    LITERAL.by(|o, _| read(&mut o.reading, Reading::Literal)),
 ];
 
 const ARRAY: Choice = Choice {

@@ -89,7 +89,7 @@ impl Technique for ABufferOptions {
                 "choose 1 to 64; 8 is usual",
             ));
         }
-        if self.keep == Keep::Nearest && (self.pp_dp || self.as_printed) {
+        if self.keep == Keep::Nearest && (self.pp_dp || self.is_printed()) {
             return Err(Error::option(
                 "keep",
                 match self.pp_dp {

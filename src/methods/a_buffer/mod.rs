@@ -44,7 +44,7 @@ use crate::gl::{Format, GlMachine, Texels, largest_storage};
 use crate::papers::lindholm_2015 as paper;
 use crate::papers::stage;
 use crate::scene::Scene;
-use crate::steps::{Amendment, Machine, Reason, Variables, run};
+use crate::steps::{Amendment, Machine, Reading, Reason, Variables, run};
 
 struct ABuffer {
     options: ABufferOptions,
@@ -121,7 +121,8 @@ impl ABuffer {
             ("KEYS_AS_DOUBLES", yes(quirks.quick_doubles)),
             ("FLOAT_COLOR", yes(options.color == RecordColor::Float)),
             ("TERMINATION", options.termination.to_bits()),
-            ("AS_PRINTED", yes(options.as_printed)),
+            ("AS_PRINTED", yes(options.is_printed())),
+            ("LITERAL", yes(options.reading == Reading::Literal)),
             ("PEEL_ALWAYS", yes(options.pp_dp && !options.pp_ao)),
             ("PP_DP", yes(options.pp_dp)),
             ("FIRST_SEGMENT", SMALLEST_SEGMENT),
@@ -138,7 +139,7 @@ impl ABuffer {
 impl Algorithm for ABuffer {
     fn prepare(&mut self, machine: &mut GlMachine<'_>, scene: &Scene) -> Result<()> {
         self.options.check()?;
-        if self.options.as_printed && self.options.pp_ao {
+        if self.options.is_printed() && self.options.pp_ao {
             expect_stencil(machine)?;
         }
         let quirks = machine.context().driver().quirks();
@@ -227,6 +228,8 @@ impl Algorithm for ABuffer {
             return Ok(());
         }
         let mut composited = 0;
+        // Each subpass resolves one fragment at least, unless it waits for one that is lost.
+        let mut endless = false;
         let counts = &mut self.counts;
         let costs = machine.read_integers(paper::COST)?;
         for (&[read, seen, subpasses, slots], &complexity) in costs.iter().zip(&self.complexity) {
@@ -237,10 +240,13 @@ impl Algorithm for ABuffer {
             counts.slots_used += u64::from(slots & 0xFFFF);
             counts.truncated_pixels += u64::from(seen < complexity);
             composited += u64::from(seen);
+            endless |= subpasses > complexity;
         }
         drawn.composited = Composited::Some(composited);
         if counts.truncated_pixels > 0 {
-            drawn.stopped = Some(if self.options.termination > 0.0 {
+            drawn.stopped = Some(if endless {
+                Reason::NoEnd
+            } else if self.options.termination > 0.0 {
                 Reason::EarlyTermination
             } else {
                 Reason::ArrayFull
@@ -278,7 +284,7 @@ impl ABuffer {
             fill.push(paper::ORDERED);
         }
         fill.extend_from_slice(proxies);
-        let listing = match options.as_printed && options.pp_ao {
+        let listing = match options.is_printed() && options.pp_ao {
             true => &paper::CLEAR_AND_COUNTING_FILL,
             false => &paper::CLEAR_AND_FILL,
         };
@@ -309,7 +315,7 @@ impl ABuffer {
             )?;
             return Ok(());
         }
-        let amendments: &[_] = if options.as_printed {
+        let amendments: &[_] = if options.is_printed() {
             &[]
         } else {
             &[paper::BY_COUNTER, paper::NO_STENCIL]
@@ -331,7 +337,7 @@ impl ABuffer {
         let all = self.options.segments().count();
         let takes_the_deepest = self.options.segments().position(|size| layers <= size);
         match takes_the_deepest {
-            Some(last) if !self.options.as_printed => last + 1,
+            Some(last) if !self.options.is_printed() => last + 1,
             _ => all,
         }
     }
@@ -343,16 +349,17 @@ mod tests {
 
     #[test]
     fn segments_that_no_pixel_needs_are_left_out_but_not_as_printed() {
-        let segments = |as_printed, layers| {
+        let segments = |reading, layers| {
             let options = ABufferOptions {
                 pp_ao: true,
-                as_printed,
+                reading,
                 ..ABufferOptions::DEFAULT
             };
             ABuffer::new(options, true).segments_for(layers)
         };
-        let amended = [0, 8, 9, 16, 33, 64, 65, 1000].map(|layers| segments(false, layers));
+        let amended =
+            [0, 8, 9, 16, 33, 64, 65, 1000].map(|layers| segments(Reading::Amended, layers));
         assert_eq!(amended, [1, 1, 2, 2, 4, 4, 4, 4]);
-        assert_eq!(segments(true, 8), 4);
+        assert_eq!(segments(Reading::AsPrinted, 8), 4);
     }
 }

@@ -1,6 +1,7 @@
 //! Options of A-buffers.
 
 pub use crate::gl::network::LARGEST_NETWORK;
+use crate::steps::Reading;
 
 /// How the global memory of the fragment lists is managed (section 4, figure 4).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -107,8 +108,9 @@ pub struct ABufferOptions {
     /// is rendered in horizontal bands. With `None`, the lists take as much as the driver has room for and renders
     /// quickly.
     pub budget: Option<u64>,
-    /// Whether to run the paper's text without amendments: ppAO masked by the stencil buffer, and ppDP by depth alone.
-    pub as_printed: bool,
+    /// How the paper's text is read. Without amendments ppAO is masked by the stencil buffer, and ppDP goes by depth
+    /// alone. Literally, ppDP waits for as many fragments as the list has, and is given up if some were lost.
+    pub reading: Reading,
 }
 
 impl ABufferOptions {
@@ -125,8 +127,13 @@ impl ABufferOptions {
         color: RecordColor::Half,
         termination: 0.0,
         budget: None,
-        as_printed: false,
+        reading: Reading::Amended,
     };
+
+    /// Whether the text runs without amendments.
+    pub(super) fn is_printed(&self) -> bool {
+        self.reading != Reading::Amended
+    }
 
     /// The bytes of a record with its link to the next.
     pub fn record_bytes(&self) -> u64 {

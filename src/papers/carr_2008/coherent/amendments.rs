@@ -22,6 +22,15 @@ pub const AMENDMENTS: [Amendment; 10] = [
     BEFORE_OPAQUE,
 ];
 
+/// What fills the paper's silence, alone.
+pub const FILLINGS: [Amendment; 5] = [
+    CLEAN_STATE,
+    CLEAN_STATE_B,
+    RUN_HALF_OPEN,
+    COMPOSITE_HALF_OPEN,
+    NO_TESTS,
+];
+
 /// One framebuffer holds the passes' depths and the image, and the passes clear its color.
 pub const CLEAN_STATE: Amendment = Amendment {
     key: "X13",
