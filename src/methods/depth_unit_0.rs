@@ -13,7 +13,8 @@ pub enum DepthUnit0 {
     /// A shadow sampler, which compares the rasteriser's own window z, as in the OpenGL of today.
     #[default]
     Sampler,
-    /// As in 2001: a projective shadow lookup compares r/q, its result goes into alpha, and the alpha test discards.
+    /// As the paper describes it for the OpenGL of 2001, with GREATER and a result in alpha as extensions of 2002 have them: a
+    /// projective shadow lookup compares r/q, its result goes into alpha, and the alpha test discards.
     Classic,
     /// The same with Listing 2, so that the stored depth is also r/q.
     ClassicDepthReplace,

@@ -13,11 +13,14 @@ use crate::kit::carr_scenes::error;
 use crate::kit::render::{example, render};
 
 const SIZE: [u32; 2] = [64, 48];
+/// Scenes of more would take minutes: what never ends draws them once for every layer.
+const MOST_TRIANGLES: usize = 40_000;
 
 #[test]
-fn every_reading_of_every_method_ends_on_every_bundled_scene_and_says_why() {
+fn every_reading_of_every_method_ends_on_every_small_bundled_scene_and_says_why() {
     let context = Context::headless().expect("a context");
     let mut reasons: BTreeMap<String, usize> = BTreeMap::new();
+    let mut scenes = 0;
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/scenes");
     for file in fs::read_dir(folder).expect("the bundled scenes") {
         let path = file.expect("a file").path();
@@ -25,6 +28,12 @@ fn every_reading_of_every_method_ends_on_every_bundled_scene_and_says_why() {
             continue;
         }
         let scene = Scene::load_at(&path, Some(SIZE)).expect("a scene");
+        let triangles: usize = scene.meshes.iter().map(|mesh| mesh.triangles.len()).sum();
+        if triangles > MOST_TRIANGLES {
+            println!("left out: {} has {triangles} triangles", scene.name);
+            continue;
+        }
+        scenes += 1;
         let mut renderer = Renderer::new(&context, SIZE[0], SIZE[1]).expect("a renderer");
         if !scene.volumes.is_empty() {
             renderer = renderer.with_slices(8).expect("so many slices");
@@ -48,23 +57,19 @@ fn every_reading_of_every_method_ends_on_every_bundled_scene_and_says_why() {
             }
         }
     }
-    println!("{reasons:#?}");
-    let count = |words: &str| reasons.iter().filter(|(it, _)| it.contains(words)).count();
-    // Nothing amended goes on for ever, and some of what is printed would.
-    assert_eq!(
-        reasons
-            .keys()
-            .filter(|it| it.starts_with("amended no end"))
-            .count(),
-        0
-    );
-    assert!(count("literal no end") > 0 && count("as-printed no end") > 0);
-    assert!(reasons.contains_key("amended empty layer"));
+    println!("{scenes} scenes: {reasons:#?}");
+    assert!(scenes >= 5, "{scenes}");
+    // Some go on for ever, and are given up.
+    let given_up = |reading: Reading| {
+        let named = |it: &&String| it.starts_with(&format!("{} no end", reading.name()));
+        reasons.keys().filter(named).count()
+    };
+    assert!(given_up(Reading::Literal) > 0 && given_up(Reading::AsPrinted) > 0);
 }
 
-/// The method in each of its readings. Those that have none are amended.
+/// The method in the readings in which it may not end by itself.
 fn readings(method: Method, layers: u32) -> Vec<(Reading, Method)> {
-    let mut all = vec![(Reading::Amended, method)];
+    let mut all = Vec::new();
     for reading in [Reading::AsPrinted, Reading::Literal] {
         let mut method = method;
         if method

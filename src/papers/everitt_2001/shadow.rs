@@ -3,7 +3,9 @@
 //! The shadow map has the camera's own orientation and resolution, so its texture matrix is the camera's projection with
 //! scale and bias from clip to texture space. The comparison of r/q goes into alpha, and the alpha test discards.
 //!
-//! SGIX_shadow compares by LEQUAL and GEQUAL only; GREATER came with EXT_shadow_funcs, which VTK asks for. Modulation
+//! SGIX_shadow compares by LEQUAL and GEQUAL only, and its result is a luminance. GREATER came with EXT_shadow_funcs, which
+//! VTK asks for, and the way into alpha with ARB_depth_texture, both in 2002. So Listing 1 did not run like this in 2001:
+//! with GEQUAL a fragment would pass the comparison with its own depth. Modulation
 //! leaves a fragment that passes its own alpha. A fragment whose alpha is 0 never passes, but it is invisible anyway.
 
 use crate::steps;
@@ -19,7 +21,9 @@ pub const SHADOW_AS_DEPTH_TEST: Listing = Listing {
         glActiveTextureARB(GL_TEXTURE3_ARB);
         prose "we write the results of the shadow mapping comparison to fragment alpha";
         compare_r_to_texture(true);
+        edition "SGIX_shadow of 2001 has a luminance as its result; the mode came with ARB_depth_texture in 2002";
         depth_texture_mode(GL_ALPHA);
+        prose "we write the results of the shadow mapping comparison to fragment alpha";
         glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
         prose "we make the orientation and resolution of the shadow map identical to that of the camera";
         glMatrixMode(GL_MODELVIEW);
