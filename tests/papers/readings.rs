@@ -6,9 +6,10 @@ use onionskin::low_level::papers::carr_2008::coherent::{
 };
 use onionskin::low_level::steps::{Amendment, Kind, Reading};
 
+use crate::kit::chance::Chance;
 use crate::kit::peels::{
-    Dice, Loop, Pixel, amended, bad, before, depth_of, emulate, nearly_sorted_image, opaque_depth,
-    pixel, random_image, reversed, sorted, tied_image,
+    Loop, Pixel, amended, bad, before, depth_of, emulate, nearly_sorted_image, opaque_depth, pixel,
+    random_image, reversed, sorted, tied_image,
 };
 
 /// Surfaces between the planes, on none of them.
@@ -62,9 +63,9 @@ fn x16_as_printed_variant_b_is_wrong_by_its_blend_factors_alone() {
 /// X9: exactly the pixels with a surface on the near plane.
 #[test]
 fn x9_as_printed_exactly_what_lies_on_the_near_plane_is_lost() {
-    let mut dice = Dice(9);
+    let mut chance = Chance::new(9);
     let pixels: Vec<Pixel> = (0..1024)
-        .map(|_| pixel((0..6).map(|_| dice.below(16) as f32 / 16.0)))
+        .map(|_| pixel((0..6).map(|_| chance.below(16) as f32 / 16.0)))
         .collect();
     let run = emulate(Loop::A, &pixels, &FILLINGS);
     assert!(run.ended());
@@ -87,11 +88,11 @@ fn x9_as_printed_exactly_what_lies_on_the_near_plane_is_lost() {
 /// X8: exactly the pixels with a transparent surface on the opaque one, and the loop never ends.
 #[test]
 fn x8_as_printed_exactly_what_lies_on_the_opaque_surface_is_wrong_and_nothing_ends() {
-    let mut dice = Dice(8);
+    let mut chance = Chance::new(8);
     let pixels: Vec<Pixel> = (0..1024)
         .map(|_| {
-            let opaque = depth_of(dice.below(12), 12);
-            let depths = (0..6).map(|_| depth_of(dice.below(12), 12));
+            let opaque = depth_of(chance.below(12), 12);
+            let depths = (0..6).map(|_| depth_of(chance.below(12), 12));
             before(pixel(depths), opaque)
         })
         .collect();
