@@ -13,6 +13,11 @@ uint list_length() {
     // Next to the band, where its neighbours are shaded along with it, neither means anything; but loops have to end.
     return end > base ? min(end - base, band.layers) : 0u;
 }
+#elif MANAGER == FFB
+uint list_length() {
+    // The counter goes on where the buffer ends.
+    return min(texelFetch(counter, ivec2(gl_FragCoord.xy), 0).r, band.layers);
+}
 #else
 uint list_length() {
     return texelFetch(counter, ivec2(gl_FragCoord.xy), 0).r;

@@ -75,8 +75,8 @@ void resolve_by_peeling(uint count) {
         // A subpass resolves one fragment at least. What did not would go on for ever, and take the GPU with it.
 #if LITERAL
         resolved += min(left, uint(N));
-    } while (resolved < count && subpasses <= count && !ray_ended());
+    } while (resolved < count && subpasses <= min(count, uint(MOST_SUBPASSES)) && !ray_ended());
 #else
-    } while (left > uint(N) && subpasses < count && !ray_ended());
+    } while (left > uint(N) && subpasses < min(count, uint(MOST_SUBPASSES)) && !ray_ended());
 #endif
 }

@@ -16,6 +16,7 @@ pub(super) struct Record<'a> {
     reading: Option<&'a str>,
     iterations: u32,
     geometry_passes: u64,
+    triangles: u64,
     layers: Option<u32>,
     fragments: u64,
     lost: Option<u64>,
@@ -62,6 +63,7 @@ impl Errors {
 #[derive(Serialize)]
 struct Lists {
     bands: u32,
+    counting_passes: u32,
     list_bytes: u64,
     records_read: u64,
     subpasses: u64,
@@ -75,6 +77,7 @@ impl Lists {
     fn new(counts: &ABufferCounts) -> Self {
         Self {
             bands: counts.bands,
+            counting_passes: counts.counting_passes,
             list_bytes: counts.list_bytes,
             records_read: counts.records_read,
             subpasses: counts.subpasses,
@@ -94,6 +97,7 @@ impl<'a> Record<'a> {
             reading: None,
             iterations: stats.iterations,
             geometry_passes: stats.geometry_passes,
+            triangles: stats.triangles,
             layers: stats.layers,
             fragments: stats.fragments,
             lost: stats.lost,

@@ -229,11 +229,13 @@ impl<'c> Geometry<'c> {
         })
     }
 
-    /// Draws the objects, each mesh with the program for its shading. Returns whether there was anything to draw.
-    pub(super) fn draw(&self, surfaces: &Surfaces, objects: Objects) -> bool {
+    /// Draws the objects, each mesh with the program for its shading. Returns the number of triangles, or `None` if there
+    /// was nothing to draw.
+    pub(super) fn draw(&self, surfaces: &Surfaces, objects: Objects) -> Option<u64> {
         let gl = self.context.glow();
         let view_projection = self.view_projection.to_cols_array();
         let mut current = None;
+        let mut triangles = 0;
         for run in &self.orders[self.order] {
             let mesh = &self.meshes[run.mesh];
             if !mesh.is_among(objects) {
@@ -263,6 +265,7 @@ impl<'c> Geometry<'c> {
                 for piece in run.pieces() {
                     // gl_PrimitiveID starts at 0 in every draw.
                     gl.uniform_1_u32(program.first_triangle.as_ref(), piece.place);
+                    triangles += piece.count as u64 / 3;
                     gl.draw_elements(
                         glow::TRIANGLES,
                         piece.count,
@@ -275,7 +278,7 @@ impl<'c> Geometry<'c> {
                 }
             }
         }
-        current.is_some()
+        current.map(|_| triangles)
     }
 }
 

@@ -105,8 +105,11 @@ impl GlMachine<'_> {
                 let geometry = self.geometry.as_ref().ok_or_else(no_scene)?;
                 geometry.expect_context(self.context)?;
                 let drawn = geometry.draw(surfaces, objects);
-                if drawn && !matches!(objects, Objects::Opaque | Objects::Proxies) {
+                if let (Some(triangles), false) =
+                    (drawn, matches!(objects, Objects::Opaque | Objects::Proxies))
+                {
                     self.geometry_passes += 1;
+                    self.triangles += triangles;
                 }
             }
             _ => {

@@ -42,6 +42,7 @@ pub struct GlMachine<'c> {
     /// First row and number of rows that are drawn to, if not all.
     pub(super) band: Option<[u32; 2]>,
     pub(super) geometry_passes: u64,
+    pub(super) triangles: u64,
 }
 
 /// Counts of a machine's work since [`GlMachine::begin_frame`].
@@ -49,6 +50,8 @@ pub struct GlMachine<'c> {
 pub struct Counts {
     /// The draws of the scene, or of its transparent part.
     pub geometry_passes: u64,
+    /// The triangles of all these draws together.
+    pub triangles: u64,
     /// The bytes of all textures and buffers that the machine holds for the method.
     pub bytes: u64,
 }
@@ -87,6 +90,7 @@ impl<'c> GlMachine<'c> {
             classic: Classic::default(),
             band: None,
             geometry_passes: 0,
+            triangles: 0,
         })
     }
 
@@ -151,7 +155,7 @@ impl<'c> GlMachine<'c> {
         self.programs.forget_current();
         self.classic.begin_frame();
         self.band = None;
-        self.geometry_passes = 0;
+        (self.geometry_passes, self.triangles) = (0, 0);
         if let Some(geometry) = &mut self.geometry {
             geometry.begin_frame();
         }
@@ -248,6 +252,7 @@ impl<'c> GlMachine<'c> {
     pub fn counts(&self) -> Counts {
         Counts {
             geometry_passes: self.geometry_passes,
+            triangles: self.triangles,
             bytes: self.maps.bytes() + self.storages.bytes() + self.volumes.bytes(),
         }
     }
@@ -257,9 +262,9 @@ impl<'c> GlMachine<'c> {
     /// # Errors
     /// The errors of `work`.
     pub fn save_and_restore<T>(&mut self, work: impl FnOnce(&mut Self) -> Result<T>) -> Result<T> {
-        let passes = self.geometry_passes;
+        let counts = (self.geometry_passes, self.triangles);
         let result = work(self);
-        self.geometry_passes = passes;
+        (self.geometry_passes, self.triangles) = counts;
         result
     }
 

@@ -126,6 +126,14 @@ impl<'c> GlMachine<'c> {
         self.storages.clear(self.context.glow(), storage)
     }
 
+    /// A buffer's bytes.
+    ///
+    /// # Errors
+    /// If there is no such buffer.
+    pub fn read_storage(&self, storage: Storage) -> Result<Vec<u8>> {
+        self.storages.read(self.context.glow(), storage)
+    }
+
     /// Tells shaders which band of the image is rendered.
     ///
     /// # Errors

@@ -217,6 +217,22 @@ impl Storages {
         Ok(())
     }
 
+    /// A buffer's bytes.
+    ///
+    /// # Errors
+    /// If there is no such buffer.
+    pub(super) fn read(&self, gl: &glow::Context, storage: Storage) -> Result<Vec<u8>> {
+        let there = self.get(storage)?;
+        let mut bytes = vec![0; there.bytes as usize];
+        // SAFETY: the buffer is the machine's own and as long as what is read.
+        unsafe {
+            gl.bind_buffer(glow::SHADER_STORAGE_BUFFER, Some(there.raw));
+            gl.memory_barrier(glow::BUFFER_UPDATE_BARRIER_BIT);
+            gl.get_buffer_sub_data(glow::SHADER_STORAGE_BUFFER, 0, &mut bytes);
+        }
+        Ok(bytes)
+    }
+
     fn get(&self, storage: Storage) -> Result<StorageBuffer> {
         self.0.get(&storage).copied().ok_or_else(|| {
             let allocated = self.0.keys().map(|storage| storage.0.into());

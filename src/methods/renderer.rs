@@ -358,6 +358,7 @@ impl<'c> Renderer<'c> {
             method: method.into(),
             iterations: drawn.iterations,
             geometry_passes: counts.geometry_passes,
+            triangles: counts.triangles,
             layers: drawn.layers,
             fragments,
             lost,

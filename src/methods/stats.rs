@@ -13,6 +13,8 @@ pub struct Stats {
     pub iterations: u32,
     /// How often the transparent geometry was drawn.
     pub geometry_passes: u64,
+    /// The triangles of all these passes together: the work of the method on geometry.
+    pub triangles: u64,
     /// The layers in the image, or `None` if the method does not make layers.
     pub layers: Option<u32>,
     /// The transparent fragments before the opaque depth, which belong in the image.
@@ -45,6 +47,8 @@ pub struct Stats {
 pub struct ABufferCounts {
     /// The number of bands in which the image was rendered.
     pub bands: u32,
+    /// Geometry passes that only counted, before the lists were made. Every band is one more, which fills them.
+    pub counting_passes: u32,
     /// Bytes of the lists: records, links, base offsets, for the largest band.
     pub list_bytes: u64,
     /// Records read from the lists.
@@ -70,6 +74,10 @@ pub enum Peeling {
     Used,
     /// There was nothing to peel.
     NothingTransparent,
+    /// It is switched off, as it is in VTK at first.
+    SwitchedOff,
+    /// The window was made without alpha bit planes, as VTK makes it at first.
+    NoAlphaBits,
     /// The method is another one.
     #[default]
     OtherMethod,
@@ -80,6 +88,8 @@ impl fmt::Display for Peeling {
         f.write_str(match self {
             Self::Used => "used",
             Self::NothingTransparent => "not used: nothing is transparent",
+            Self::SwitchedOff => "not used: it is switched off",
+            Self::NoAlphaBits => "not used: the window has no alpha bit planes",
             Self::OtherMethod => "not used: another method",
         })
     }
@@ -99,6 +109,7 @@ impl fmt::Display for Stats {
         line("method", &self.method)?;
         line("iterations", &self.iterations)?;
         line("geometry passes", &self.geometry_passes)?;
+        line("triangles", &self.triangles)?;
         if let Some(layers) = self.layers {
             line("layers", &layers)?;
         }
@@ -121,6 +132,7 @@ impl fmt::Display for Stats {
         }
         if let Some(counts) = &self.a_buffer {
             line("bands", &counts.bands)?;
+            line("counting passes", &counts.counting_passes)?;
             line(
                 "lists",
                 &format_args!("{:.1} MiB", counts.list_bytes as f64 / f64::from(1 << 20)),

@@ -146,6 +146,8 @@ pub enum Reason {
     NoEnd,
     /// The Local Array was full, and the fragments that did not fit were dropped.
     ArrayFull,
+    /// A fixed buffer was full, and the fragments that did not fit were dropped.
+    BufferFull,
     /// Rays ended because too little light came through.
     EarlyTermination,
 }
@@ -158,6 +160,7 @@ impl std::fmt::Display for Reason {
             Self::PeelLimit => "peel limit",
             Self::NoEnd => "no end: more iterations than surfaces at any pixel",
             Self::ArrayFull => "local array full",
+            Self::BufferFull => "fixed buffer full",
             Self::EarlyTermination => "early ray termination",
         })
     }

@@ -9,10 +9,18 @@ pub(super) const CHOICES: &[Setter<ABufferOptions>] = &[
     ARRAY.of(|o| &mut o.array),
     KEEP.of(|o| &mut o.keep),
     PEEL.of(|o| &mut o.peel),
+    MOST_SUBPASSES.by(|o, text| {
+        o.most_subpasses = Some(number(text)?);
+        Ok(())
+    }),
     TERMINATION.of(|o| &mut o.termination),
     BUDGET.by(|o, text| {
         let mebibytes: u64 = number(text)?;
         o.budget = Some(mebibytes.saturating_mul(1 << 20));
+        Ok(())
+    }),
+    FIXED_LAYERS.by(|o, text| {
+        o.fixed_layers = Some(number(text)?);
         Ok(())
     }),
     FILL.of(|o| &mut o.fill),
@@ -45,6 +53,12 @@ const PEEL: Choice = Choice {
     help: "The number of fragments that ppDP peels at a time, 1 to 64",
 };
 
+const MOST_SUBPASSES: Choice = Choice {
+    name: "most-subpasses",
+    takes: Takes::Value("N"),
+    help: "The most subpasses that ppDP takes for a pixel. What lies behind them is lost, and counted [default: no limit]",
+};
+
 const TERMINATION: Choice = Choice {
     name: "termination",
     takes: Takes::Value("0..1"),
@@ -56,6 +70,13 @@ const BUDGET: Choice = Choice {
     takes: Takes::Value("MIB"),
     help: "The most MiB that fragment lists may take. An image that needs more is rendered in horizontal bands. Without \
            it, lists take as many as are quick: on llvmpipe 8, and more for many triangles",
+};
+
+const FIXED_LAYERS: Choice = Choice {
+    name: "fixed-layers",
+    takes: Takes::Value("N"),
+    help: "For ffb, give every pixel room for N fragments, and do not count them in a pass of its own. Fragments for which \
+           there is no room are lost, and counted [default: count first, and have room for all]",
 };
 
 const FILL: Choice = Choice {

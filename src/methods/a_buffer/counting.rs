@@ -28,18 +28,23 @@ pub(in crate::low_level::methods) fn expect_stencil(machine: &GlMachine<'_>) -> 
 const STENCIL_COUNTS: u32 = 254;
 
 impl ABuffer {
-    /// Every pixel's complexity. The stencil buffer counts it if that is enough, because it is quicker. But a prefix
-    /// scan needs colours.
+    /// The number of records that every pixel needs room for: its complexity, or what a fixed buffer has. The stencil
+    /// buffer counts it if that is enough, because it is quicker. But a prefix scan needs colours.
     pub(super) fn count(
-        &self,
+        &mut self,
         machine: &mut GlMachine<'_>,
         proxies: &[Amendment],
     ) -> Result<Vec<u32>> {
+        if let Some(layers) = self.options.fixed_layers {
+            let [width, height] = machine.size();
+            return Ok(vec![layers; (width * height) as usize]);
+        }
         let depth = Some(stage::OPAQUE_DEPTH);
         if !self.options.has_offsets() && machine.format(stage::OPAQUE_DEPTH)?.has_stencil() {
             machine.framebuffer_with(stage::COUNTED, &[], depth)?;
             let variables = Variables::new();
             run(&paper::COUNT_BY_STENCIL, proxies, variables, machine)?;
+            self.counts.counting_passes += 1;
             let counts = machine.read_counts(stage::OPAQUE_DEPTH)?;
             if deepest(&counts) <= STENCIL_COUNTS {
                 return Ok(counts);
@@ -48,6 +53,7 @@ impl ABuffer {
         machine.framebuffer_with(stage::COUNTED, &[stage::COMPLEXITY], depth)?;
         let variables = Variables::new();
         run(&stage::COUNT_AT_EACH_PIXEL, proxies, variables, machine)?;
+        self.counts.counting_passes += 1;
         machine.read_counts(stage::COMPLEXITY)
     }
 }

@@ -113,6 +113,38 @@ impl Technique for ABufferOptions {
                 "0 is exact; 0.02 is the paper's",
             ));
         }
+        if self.most_subpasses.is_some() && !self.pp_dp {
+            return Err(Error::option(
+                "most-subpasses",
+                "without ppDP a pixel has one pass, and its number cannot be limited",
+                "choose a method with ppDP, or leave the limit out",
+            ));
+        }
+        if self.most_subpasses == Some(0) {
+            return Err(Error::option(
+                "most-subpasses",
+                "ppDP cannot resolve anything in 0 subpasses",
+                "choose 1 or more",
+            ));
+        }
+        if self.fixed_layers.is_some() && self.manager != Manager::Ffb {
+            return Err(Error::option(
+                "fixed-layers",
+                "only a fixed buffer has the same number of layers at every pixel; dfb and ppll are as large as the \
+                 counted fragments",
+                "choose ffb, or leave the number out",
+            ));
+        }
+        if self
+            .fixed_layers
+            .is_some_and(|layers| !(1..=65_536).contains(&layers))
+        {
+            return Err(Error::option(
+                "fixed-layers",
+                "a fixed buffer cannot have this number of layers",
+                "choose 1 to 65536",
+            ));
+        }
         if self.budget == Some(0) {
             return Err(Error::option(
                 "budget",

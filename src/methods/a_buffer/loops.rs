@@ -1,6 +1,7 @@
 //! Resolves on drivers that end a shader's loops early ([`Quirks::loop_limit`]). A pixel that reached the limit would lose
 //! fragments.
 
+use super::options::LARGEST_NETWORK;
 use crate::error::{Error, Result};
 use crate::gl::{LoopLimit, Quirks};
 use crate::scene::Volume;
@@ -80,6 +81,31 @@ pub(super) fn expect_keeping_fits(quirks: Quirks, array: u32, complexity: u32) -
     })
 }
 
+/// Checks that ppDP may insert so many fragments into an array that is too large to be written out. In the worst order each
+/// of them moves all elements, and pixels that are shaded along with it sort theirs.
+///
+/// # Errors
+/// If it would take too many iterations.
+pub(super) fn expect_inserting_fits(quirks: Quirks, array: u32, complexity: u32) -> Result<()> {
+    let Some(limit) = quirks.loop_limit else {
+        return Ok(());
+    };
+    let (elements, fragments) = (u64::from(array), u64::from(complexity));
+    let iterations = sorting(elements) + elements * fragments;
+    let inserts = array > LARGEST_NETWORK && complexity > array;
+    if !inserts || iterations <= most(limit) {
+        return Ok(());
+    }
+    Err(Error::Driver {
+        what: format!(
+            "a pixel's {complexity} fragments cannot be peeled with an array of {array}: this driver ends a shader's loops \
+             after {} iterations",
+            limit.iterations
+        ),
+        remedy: format!("choose an array of {LARGEST_NETWORK} or less"),
+    })
+}
+
 /// The most elements that insertion moves to sort an array.
 const fn sorting(array: u64) -> u64 {
     array * array / 2
@@ -147,6 +173,13 @@ mod tests {
         assert_eq!([8, 300, 1000, 2000, 3500].map(peel), [8, 8, 8, 32, 64]);
         assert_eq!(peel_that_fits(unlimited(), 8, 1_000_000).unwrap(), 8);
         assert!(peel_that_fits(limited(), 8, 10_000).is_err());
+    }
+
+    #[test]
+    fn a_large_array_peels_only_what_the_driver_has_the_iterations_for() {
+        let fits = |array, complexity| expect_inserting_fits(limited(), array, complexity).is_ok();
+        assert!(fits(64, 3000) && fits(128, 3000) && fits(256, 256) && !fits(256, 257));
+        assert!(expect_inserting_fits(unlimited(), 256, 1_000_000).is_ok());
     }
 
     #[test]

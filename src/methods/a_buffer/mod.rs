@@ -46,6 +46,9 @@ use crate::papers::stage;
 use crate::scene::Scene;
 use crate::steps::{Amendment, Machine, Reading, Reason, Variables, run};
 
+/// More subpasses than a pixel can have, and a number that GLSL takes as an integer.
+const NO_LIMIT: u32 = i32::MAX as u32;
+
 struct ABuffer {
     options: ABufferOptions,
     counts: ABufferCounts,
@@ -94,8 +97,12 @@ impl ABuffer {
             bytes: bytes.unwrap_or(u64::MAX),
             fixed: fixed(&self.options, u64::from(width) * u64::from(height)),
             records: largest.min(links),
-            preferred_band: bytes
-                .unwrap_or_else(|| preferred(quirks, triangles, self.options.record_bytes())),
+            preferred_band: match (bytes, self.options.fixed_layers) {
+                (Some(bytes), _) => bytes,
+                // A band more would be a geometry pass more.
+                (None, Some(_)) => u64::MAX,
+                (None, None) => preferred(quirks, triangles, self.options.record_bytes()),
+            },
         }
     }
 
@@ -125,6 +132,7 @@ impl ABuffer {
             ("LITERAL", yes(options.reading == Reading::Literal)),
             ("PEEL_ALWAYS", yes(options.pp_dp && !options.pp_ao)),
             ("PP_DP", yes(options.pp_dp)),
+            ("MOST_SUBPASSES", options.most_subpasses.unwrap_or(NO_LIMIT)),
             ("FIRST_SEGMENT", SMALLEST_SEGMENT),
             ("LAST_SEGMENT", options.array),
             ("KEEP_NEAREST", yes(options.keep == Keep::Nearest)),
@@ -187,6 +195,7 @@ impl Algorithm for ABuffer {
             // The Fill Step's shaders look it up.
             run(&paper::OPAQUE_ENDS_RAYS, &[], Variables::new(), machine)?;
         }
+        self.counts = ABufferCounts::default();
         self.complexity = self.count(machine, proxies)?;
         let width = machine.size()[0];
         let budget = self.budget(machine, scene);
@@ -200,10 +209,7 @@ impl Algorithm for ABuffer {
         }
         self.layers = bands.iter().map(|band| band.layers).max().unwrap_or(0);
         self.inserts = inserts(&self.options, &self.complexity, self.layers);
-        self.counts = ABufferCounts {
-            bands: bands.len() as u32,
-            ..ABufferCounts::default()
-        };
+        self.counts.bands = bands.len() as u32;
         if self.layers > 0 {
             let bytes = bands.iter().map(|band| band.bytes(&self.options, width));
             self.counts.list_bytes = bytes.max().unwrap_or(0) + budget.fixed;
@@ -227,6 +233,10 @@ impl Algorithm for ABuffer {
             drawn.composited = Composited::Unknown;
             return Ok(());
         }
+        if self.options.fixed_layers.is_some() {
+            self.complexity = machine.read_counts(paper::COUNTER)?;
+        }
+        let why_truncated = self.why_truncated();
         let mut composited = 0;
         // Each subpass resolves one fragment at least, unless it waits for one that is lost.
         let mut endless = false;
@@ -244,12 +254,9 @@ impl Algorithm for ABuffer {
         }
         drawn.composited = Composited::Some(composited);
         if counts.truncated_pixels > 0 {
-            drawn.stopped = Some(if endless {
-                Reason::NoEnd
-            } else if self.options.termination > 0.0 {
-                Reason::EarlyTermination
-            } else {
-                Reason::ArrayFull
+            drawn.stopped = Some(match endless {
+                true => Reason::NoEnd,
+                false => why_truncated,
             });
         }
         drawn.a_buffer = Some(*counts);
@@ -258,6 +265,16 @@ impl Algorithm for ABuffer {
 }
 
 impl ABuffer {
+    fn why_truncated(&self) -> Reason {
+        let options = &self.options;
+        match options.fixed_layers {
+            _ if options.termination > 0.0 => Reason::EarlyTermination,
+            _ if options.most_subpasses.is_some() => Reason::PeelLimit,
+            Some(layers) if options.pp_dp || layers < options.array => Reason::BufferFull,
+            _ => Reason::ArrayFull,
+        }
+    }
+
     /// `proxies` amends the Fill Step if there are volumes.
     fn draw_band(
         &mut self,
@@ -302,6 +319,7 @@ impl ABuffer {
             if options.pp_ao {
                 // The last segment peels with the largest array there is.
                 loops::peel_that_fits(quirks, options.array, layers)?;
+                loops::expect_inserting_fits(quirks, options.array, layers)?;
             }
         }
         let variables = Variables::new();

@@ -94,6 +94,10 @@ pub struct ABufferOptions {
     pub array: u32,
     /// n, the size of ppDP's Local Array, 1 to 64. The paper finds 8 the fastest.
     pub peel: u32,
+    /// The most subpasses that ppDP takes for a pixel. The fragments behind them are lost, and counted; the nearest
+    /// ones, as many as fit into so many Local Arrays, are blended right (section 8: "guaranteeing a minimum number of
+    /// correctly blended samples"). With `None` there is no limit.
+    pub most_subpasses: Option<u32>,
     /// The sort of Local Arrays.
     pub sort: ArraySort,
     /// The way in which lists are filled.
@@ -111,6 +115,10 @@ pub struct ABufferOptions {
     /// How the paper's text is read. Without amendments ppAO is masked by the stencil buffer, and ppDP goes by depth
     /// alone. Literally, ppDP waits for as many fragments as the list has, and is given up if some were lost.
     pub reading: Reading,
+    /// For FFB, the number of fragments that every pixel has room for. The image is then drawn once, and the Fill Step
+    /// counts (section 5.1: "no additional rendering passes are required"); what a pixel has no room for is lost, and
+    /// counted. With `None`, a pass of its own counts the fragments first, and there is room for all of them.
+    pub fixed_layers: Option<u32>,
 }
 
 impl ABufferOptions {
@@ -121,6 +129,7 @@ impl ABufferOptions {
         pp_dp: false,
         array: 64,
         peel: 8,
+        most_subpasses: None,
         keep: Keep::First,
         sort: ArraySort::Automatic,
         fill: Fill::Automatic,
@@ -128,6 +137,7 @@ impl ABufferOptions {
         termination: 0.0,
         budget: None,
         reading: Reading::Amended,
+        fixed_layers: None,
     };
 
     /// Whether the text runs without amendments.
