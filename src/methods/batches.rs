@@ -21,7 +21,7 @@ pub(super) struct Batch {
 
 /// The largest distance of a rasterised depth from the exact one: several times f32's rounding. A triangle too many
 /// costs a little, but one too few would be missing.
-const SLACK: f64 = 1e-5;
+pub(super) const SLACK: f64 = 1e-5;
 
 /// Cuts the depth range into at most `count` batches of about equally many transparent triangles, by the middle of each
 /// triangle's depth range. With the batches come the triangles that reach into each, as mesh and number, in their order.
@@ -68,7 +68,7 @@ pub(super) fn batches(
 }
 
 /// The window depths between which a triangle lies, or the whole range if it reaches behind the eye.
-fn depth_range(view_projection: DMat4, corners: [crate::scene::Vertex; 3]) -> [f64; 2] {
+pub(super) fn depth_range(view_projection: DMat4, corners: [crate::scene::Vertex; 3]) -> [f64; 2] {
     let mut range = [f64::INFINITY, f64::NEG_INFINITY];
     for corner in corners {
         let clip = view_projection * corner.position.extend(1.0);

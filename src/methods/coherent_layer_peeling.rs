@@ -11,17 +11,18 @@ use super::algorithm::{Algorithm, Composited, DrawOrder, Drawn, Setup};
 use super::allocate_maps::allocate_maps;
 use super::batches::{Batch, batches, begin_batch};
 use super::choice::{AS_PRINTED, Choice, LITERAL, Setter, Takes, number, read};
+use super::culling::Extents;
 use super::entry::{EXACT_BUT_NOT_SLICES, Entry, Memory, Ties, Volumes};
 use super::expect_known::expect_known;
 use super::loop_guard::{LoopGuard, peeled};
 use super::sorting::{SORT, TriangleSort};
 use super::technique::{Published, Technique};
 use crate::error::{Error, Result};
-use crate::gl::{Format, GlMachine};
-use crate::papers::carr_2008::coherent;
+use crate::gl::{Format, Geometry, GlMachine};
 use crate::papers::carr_2008::coherent::{LOOP_A, LOOP_B, VARIANT_A, VARIANT_B};
+use crate::papers::carr_2008::{D_SC, coherent};
 use crate::papers::stage;
-use crate::scene::Scene;
+use crate::scene::{Camera, Scene};
 use crate::steps;
 use crate::steps::{Amendment, Dialect, Listing, Reading, Variables, run};
 
@@ -49,6 +50,12 @@ pub struct CoherentOptions {
     /// An improvement (section 9, after Wexler et al. 2005): the depth range is cut into so many batches of about equally
     /// many triangles, and each is peeled with the triangles that reach into it. 0 and 1 cut nothing.
     pub batches: u32,
+    /// An improvement (section 9): after every iteration, triangles that lie before `D(sc)` wherever they are seen are
+    /// culled. It cannot be chosen with batches.
+    pub cull: bool,
+    /// The camera that triangles are sorted for, if it is not the scene's: a sort that is kept from an earlier frame
+    /// (section 4: "updated periodically as the camera moves").
+    pub sorted_for: Option<Camera>,
     /// How the paper's listings and prose are read. A loop that goes on for too long without amendments is given up.
     pub reading: Reading,
     /// More amendments to the listings that run, to try the effect of a changed word.
@@ -70,6 +77,22 @@ struct CoherentLayerPeeling {
     color: Format,
     depth: Format,
     batches: Vec<Batch>,
+    /// Every triangle, if those that are finished are culled.
+    order: Vec<[u32; 2]>,
+}
+
+/// In later rounds of a culled loop the range does not begin at the near plane. What lies at `D(sc)` has been composited.
+const LATER: [Amendment; 2] = [
+    undone(coherent::FIRST_CLOSED),
+    undone(coherent::FIRST_CLOSED_B),
+];
+
+const fn undone(amendment: Amendment) -> Amendment {
+    Amendment {
+        printed: amendment.amended,
+        amended: amendment.printed,
+        ..amendment
+    }
 }
 
 /// The listings with the amendments applied, so that improvements can be applied on top.
@@ -101,7 +124,12 @@ impl CoherentLayerPeeling {
             color: setup.color,
             depth: setup.depth,
             batches: Vec::new(),
+            order: Vec::new(),
         }
+    }
+
+    fn culls(&self) -> bool {
+        self.options.cull && !self.options.as_printed
     }
 
     fn amendments(&self) -> Vec<Amendment> {
@@ -127,15 +155,66 @@ impl CoherentLayerPeeling {
         }
     }
 
+    fn submit(&self, machine: &mut GlMachine<'_>, scene: &Scene, order: &[[u32; 2]]) -> Result<()> {
+        let geometry = Geometry::upload_in_orders(
+            machine.context(),
+            scene,
+            machine.size(),
+            &[order.to_vec()],
+        )?;
+        machine.set_geometry(geometry);
+        Ok(())
+    }
+
+    /// Iterates with the triangles that are not finished. Each iteration is a run of the loop of its own.
+    fn draw_culled(&self, machine: &mut GlMachine<'_>, scene: &Scene) -> Result<Drawn> {
+        let listing = self.one_loop();
+        let mut amendments = self.amendments();
+        run(&stage::OPAQUE_FIRST, &[], Variables::new(), machine)?;
+        run(&stage::CLEAR_ACCUMULATION, &[], Variables::new(), machine)?;
+        run(
+            &coherent::FROM_THE_NEAR_PLANE,
+            &[],
+            Variables::new(),
+            machine,
+        )?;
+        let opaque = machine.read_depths(stage::OPAQUE_DEPTH)?;
+        let extents = Extents::new(scene, machine.size(), &self.order);
+        let mut all = Drawn::default();
+        let mut composited = 0;
+        while all.stopped.is_none() {
+            let once = Variables::new().with("iteration_limit", 1.0);
+            let outcome = run(&listing, &amendments, once, machine)?;
+            all.iterations += 1;
+            composited += peeled(&outcome).composited.count();
+            all.stopped = outcome.stopped;
+            if all.iterations == 1 {
+                amendments.extend(LATER);
+            }
+            let bound = machine.read_depths(D_SC)?;
+            let order = extents.unfinished(&bound, &opaque, machine.size()[0]);
+            self.submit(machine, scene, &order)?;
+        }
+        run(&stage::OVER_OPAQUE, &[], Variables::new(), machine)?;
+        self.submit(machine, scene, &self.order)?;
+        all.composited = Composited::Some(composited);
+        Ok(all)
+    }
+
+    /// The loop alone, amended.
+    fn one_loop(&self) -> Listing {
+        match self.options.variant {
+            Variant::A => BATCH_A,
+            Variant::B => BATCH_B,
+        }
+    }
+
     /// Renders batch after batch, front to back. Each batch lies between two depths and has the triangles that reach
     /// between them.
     fn draw_batches(&self, machine: &mut GlMachine<'_>) -> Result<Drawn> {
         let mut amendments = self.amendments();
         amendments.push(coherent::UP_TO_THE_BATCH_END);
-        let listing = match self.options.variant {
-            Variant::A => BATCH_A,
-            Variant::B => BATCH_B,
-        };
+        let listing = self.one_loop();
         run(&stage::OPAQUE_FIRST, &[], Variables::new(), machine)?;
         run(&stage::CLEAR_ACCUMULATION, &[], Variables::new(), machine)?;
         let mut all = Drawn::default();
@@ -163,7 +242,16 @@ impl CoherentLayerPeeling {
 
 impl Algorithm for CoherentLayerPeeling {
     fn order(&mut self, scene: &Scene) -> DrawOrder {
-        let order = self.options.sorting.order(scene);
+        let order = match self.options.sorted_for {
+            None => self.options.sorting.order(scene),
+            Some(camera) => self.options.sorting.order(&Scene {
+                camera,
+                ..scene.clone()
+            }),
+        };
+        if self.culls() {
+            self.order.clone_from(&order);
+        }
         if self.options.batches < 2 || self.options.reading != Reading::Amended {
             return DrawOrder::Sorted(order);
         }
@@ -191,9 +279,12 @@ impl Algorithm for CoherentLayerPeeling {
         expect_known(machine, &self.listing(), &self.amendments(), &resources)
     }
 
-    fn draw(&mut self, machine: &mut GlMachine<'_>, _: &Scene) -> Result<Drawn> {
+    fn draw(&mut self, machine: &mut GlMachine<'_>, scene: &Scene) -> Result<Drawn> {
         if !self.batches.is_empty() {
             return self.draw_batches(machine);
+        }
+        if self.culls() {
+            return self.draw_culled(machine, scene);
         }
         let outcome = run(
             &self.listing(),
@@ -236,12 +327,20 @@ impl Technique for CoherentOptions {
     }
 
     fn check(&self) -> Result<()> {
-        let improved = self.tie_friendly || self.stop_early || self.batches > 0;
+        if self.cull && self.batches > 1 {
+            return Err(Error::option(
+                "improve",
+                "batches and cull both choose which triangles an iteration draws",
+                "choose one of the two",
+            ));
+        }
+        let improved = self.tie_friendly || self.stop_early || self.batches > 0 || self.cull;
         one_of_both(self.reading, improved)
     }
 
     fn needs_window_depth(&self) -> Option<&'static str> {
-        (self.batches > 1).then_some("depth batches are cut from window-space depth")
+        (self.batches > 1 || self.cull)
+            .then_some("batches and culling compare triangles with window-space depth")
     }
 }
 
@@ -250,7 +349,7 @@ pub(super) const IMPROVE: Choice = Choice {
     name: "improve",
     takes: Takes::Value("LIST"),
     help: "Improvements that the paper only points at, separated by commas. Variants A and B have tie-friendly, \
-           early-stop and batches=N; the ideal GPU has tight-bound",
+           early-stop, cull and batches=N; the ideal GPU has tight-bound",
 };
 
 /// # Errors
@@ -270,6 +369,7 @@ fn improve(options: &mut CoherentOptions, improvement: &str) -> Result<()> {
     match improvement.split_once('=') {
         None if improvement == "tie-friendly" => options.tie_friendly = true,
         None if improvement == "early-stop" => options.stop_early = true,
+        None if improvement == "cull" => options.cull = true,
         Some(("batches", count)) => {
             options.batches = number(count)?;
             if !(1..=1000).contains(&options.batches) {
@@ -284,7 +384,7 @@ fn improve(options: &mut CoherentOptions, improvement: &str) -> Result<()> {
 fn no_improvement(text: &str) -> Error {
     Error::usage(
         format!("'{text}' is no improvement of variants A and B"),
-        "write tie-friendly, early-stop, or batches=N with N from 1 to 1000 (tight-bound is for Algorithm 2)",
+        "write tie-friendly, early-stop, cull, or batches=N with N from 1 to 1000 (tight-bound is for Algorithm 2)",
     )
 }
 

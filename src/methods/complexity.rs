@@ -24,6 +24,8 @@ pub enum CountBy {
     Atomics,
     /// The stencil buffer: 255 means 255 or more.
     Stencil,
+    /// One atomic counter per pixel for all geometry, as the paper counts: opaque surfaces, too, and what they hide.
+    AllGeometry,
 }
 
 words! { CountBy, "way to count",
@@ -92,6 +94,13 @@ impl Complexity {
             0 => 1.0,
             covered => within / covered as f64,
         }
+    }
+
+    /// The part of the image with a complexity of at most `limit`, 0 to 1: the paper's "majority of all pixels", which
+    /// counts empty pixels, too.
+    pub fn part_of_image_up_to(&self, limit: u32) -> f64 {
+        let within = self.counts.iter().filter(|&&count| count <= limit).count();
+        within as f64 / self.counts.len().max(1) as f64
     }
 
     /// The depth complexity histogram. Bin `k` holds the complexities from `k * bin` to `(k + 1) * bin - 1`, and the
@@ -168,6 +177,7 @@ impl Renderer<'_> {
         let (format, listing) = match by {
             CountBy::Blending => (Format::R32F, stage::COUNT_AT_EACH_PIXEL),
             CountBy::Atomics => (Format::R32Ui, paper::COMPLEXITY_IMAGE),
+            CountBy::AllGeometry => (Format::R32Ui, paper::COMPLEXITY_OF_ALL),
             CountBy::Stencil => (Format::R32F, paper::COUNT_BY_STENCIL),
         };
         machine.allocate(stage::COMPLEXITY, format)?;
@@ -179,7 +189,7 @@ impl Renderer<'_> {
         run(&listing, proxies(scene), Variables::new(), machine)?;
         let map = match by {
             CountBy::Stencil => stage::OPAQUE_DEPTH,
-            CountBy::Blending | CountBy::Atomics => stage::COMPLEXITY,
+            CountBy::Blending | CountBy::Atomics | CountBy::AllGeometry => stage::COMPLEXITY,
         };
         let [width, height] = machine.size();
         let bottom_up = machine.read_counts(map)?;

@@ -326,6 +326,7 @@ words! { DepthUnit0, "depth unit",
     Sampler "sampler" "The rasteriser's depth, compared by the sampler",
     Classic "classic" "r/q, compared into alpha",
     ClassicDepthReplace "classic-depth-replace" "The same, with r/q stored as the depth",
+    ClassicRectangle "classic-rectangle" "The same, looked up in a rectangle texture, as in VTK",
 }
 
 impl Published for DepthPeelingOptions {

@@ -4,7 +4,8 @@ use crate::error::Result;
 use crate::gl::GlMachine;
 use crate::papers::everitt_2001::{LISTING_2, REPLACED, SHADOW_AS_DEPTH_TEST, WINDOW_Z};
 use crate::steps::{
-    Amendment, ClassicDepthUnits, DepthUnits, Listing, Outcome, Shader, Variables, run,
+    Amendment, Call, ClassicCall, ClassicDepthUnits, DepthUnits, Listing, Machine, MatrixMode,
+    Outcome, Shader, Variables, run,
 };
 
 /// The form of Listing 1's depth unit 0.
@@ -18,6 +19,8 @@ pub enum DepthUnit0 {
     Classic,
     /// The same with Listing 2, so that the stored depth is also r/q.
     ClassicDepthReplace,
+    /// The same with the shadow map in a rectangle texture, whose coordinates are texels, as VTK's page has it.
+    ClassicRectangle,
     /// A form of the invariance experiment.
     Experiment(Experiment),
 }
@@ -84,6 +87,15 @@ impl DepthUnit0 {
                 let mut units = ClassicDepthUnits::new(machine, Shader("classic/depth_replace"));
                 run(listing, amendments, variables, &mut units)
             }
+            Self::ClassicRectangle => {
+                run(&LISTING_2, &[], Variables::new(), machine)?;
+                run(&SHADOW_AS_DEPTH_TEST, &[], Variables::new(), machine)?;
+                for call in texels(machine.size()) {
+                    machine.perform(&Call::Classic(call))?;
+                }
+                let units = ClassicDepthUnits::new(machine, Shader("classic/depth_replace"));
+                run(listing, amendments, variables, &mut units.with_rectangles())
+            }
             Self::Experiment(experiment) => {
                 let mut all = amendments.to_vec();
                 all.extend(match experiment.stored {
@@ -95,6 +107,24 @@ impl DepthUnit0 {
             }
         }
     }
+}
+
+/// After [`SHADOW_AS_DEPTH_TEST`]: the shadow map's coordinates are texels instead of 0 to 1.
+fn texels(size: [u32; 2]) -> [ClassicCall; 7] {
+    let [x, y] = size.map(|side| side as f32 / 2.0);
+    [
+        ClassicCall::ActiveTexture { unit: 3 },
+        ClassicCall::MatrixMode {
+            mode: MatrixMode::Texture,
+        },
+        ClassicCall::LoadIdentity,
+        ClassicCall::Translate { x, y, z: 0.5 },
+        ClassicCall::Scale { x, y, z: 0.5 },
+        ClassicCall::ApplyPerspective,
+        ClassicCall::MatrixMode {
+            mode: MatrixMode::Modelview,
+        },
+    ]
 }
 
 impl Experiment {

@@ -58,6 +58,7 @@ mod buffer_access;
 mod choice;
 mod complexity;
 pub mod coplanar;
+mod culling;
 mod depth_unit_0;
 mod entry;
 mod expect_known;
@@ -77,6 +78,7 @@ mod stats;
 #[cfg(test)]
 mod tables;
 mod technique;
+mod vtk_settings;
 
 pub use algorithm::{Algorithm, Composited, DrawOrder, Drawn, Setup};
 pub use allocate_maps::allocate_maps;
@@ -93,3 +95,4 @@ pub use renderer::Renderer;
 pub use slicing::{DEFAULT_SLICES, MOST_SLICES};
 pub use stats::{ABufferCounts, Peeling, Stats};
 pub use technique::Technique;
+pub use vtk_settings::VtkSettings;

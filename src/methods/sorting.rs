@@ -11,12 +11,16 @@ use crate::error::{Error, Result};
 use crate::scene::{Mesh, Scene};
 
 /// The order in which transparent triangles are submitted.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum TriangleSort {
     /// The scene's order.
     Submission,
     /// Mesh by mesh, the mesh with the nearest middle first.
     Objects,
+    /// By centroid, into as many buckets as the scene asks for: [`Buckets`](Self::Buckets), 256 of them, or as many as there
+    /// are triangles if that is more. But where meshes may take turns, there are no more than 4096 draws.
+    #[default]
+    Automatic,
     /// By centroid, into this many equally deep buckets between the nearest and the farthest. Within a bucket,
     /// triangles have the scene's order. 0 and 1 sort nothing.
     Buckets(u32),
@@ -27,21 +31,30 @@ pub enum TriangleSort {
 pub(super) const SORT: Choice = Choice {
     name: "sort",
     takes: Takes::Value("HOW"),
-    help: "How triangles are sorted beforehand: submission, objects, reversed or buckets=N",
+    help: "How triangles are sorted beforehand: submission, objects, reversed=N, buckets=N, or buckets, as many as the \
+           scene asks for",
 };
 
-impl Default for TriangleSort {
-    /// 256 buckets. On the bundled scenes more buckets saved no iteration (`benches/carr.rs`), and every bucket may
-    /// cost a draw call per mesh.
-    fn default() -> Self {
-        Self::Buckets(256)
-    }
+/// The fewest buckets. On the bundled scenes more of them saved no iteration (`benches/carr.rs`).
+const FEWEST: u32 = 256;
+/// The most draws that a pass may need because buckets make the meshes take turns.
+const MOST_DRAWS: usize = 4096;
+
+/// As many buckets as triangles separate whatever lies at equal distances, such as slices. But every bucket may cost a
+/// draw call per mesh.
+fn buckets_for(triangles: usize, meshes: usize) -> u32 {
+    let most = match meshes {
+        0 | 1 => 1 << 20,
+        _ => MOST_DRAWS / meshes,
+    };
+    let wanted = triangles.next_power_of_two().min(most);
+    FEWEST.max(wanted as u32)
 }
 
 impl FromStr for TriangleSort {
     type Err = Error;
 
-    /// `submission`, `objects`, `buckets=N`, `reversed=N`. Without a number there are 256 buckets.
+    /// `submission`, `objects`, `buckets` or `buckets=N`, `reversed` with 256 buckets or `reversed=N`.
     fn from_str(text: &str) -> Result<Self> {
         let unknown = || {
             Error::usage(
@@ -52,7 +65,7 @@ impl FromStr for TriangleSort {
         match text.split_once('=') {
             None if text == "submission" => Ok(Self::Submission),
             None if text == "objects" => Ok(Self::Objects),
-            None if text == "buckets" => Ok(Self::default()),
+            None if text == "buckets" => Ok(Self::Automatic),
             None if text == "reversed" => Ok(Self::Reversed(256)),
             Some(("buckets", count)) => buckets(count).map(Self::Buckets).ok_or_else(unknown),
             Some(("reversed", count)) => buckets(count).map(Self::Reversed).ok_or_else(unknown),
@@ -72,6 +85,7 @@ impl fmt::Display for TriangleSort {
         match self {
             Self::Submission => f.pad("submission"),
             Self::Objects => f.pad("objects"),
+            Self::Automatic => f.pad("buckets"),
             Self::Buckets(count) => write!(f, "buckets={count}"),
             Self::Reversed(count) => write!(f, "reversed={count}"),
         }
@@ -100,6 +114,11 @@ impl TriangleSort {
             Self::Objects => {
                 let depth = |&mesh: &u32| middle_depth(scene, mesh);
                 every_triangle(scene, &nearest_first(transparent, depth))
+            }
+            Self::Automatic => {
+                let triangles = every_triangle(scene, &transparent).len();
+                let count = buckets_for(triangles, transparent.len());
+                in_buckets(scene, &transparent, count).concat()
             }
             Self::Buckets(count) => in_buckets(scene, &transparent, count).concat(),
             Self::Reversed(count) => {
@@ -181,6 +200,7 @@ fn in_buckets(scene: &Scene, meshes: &[u32], count: u32) -> Vec<Vec<[u32; 2]>> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scene::Camera;
     use crate::scene::generate::{Quads, SubmissionOrder, quads};
 
     fn stack(order: SubmissionOrder) -> Scene {
@@ -209,6 +229,31 @@ mod tests {
     }
 
     #[test]
+    fn buckets_follow_the_triangles_but_not_into_too_many_draws() {
+        assert_eq!(buckets_for(9, 1), 256);
+        assert_eq!(buckets_for(100_000, 1), 131_072);
+        assert_eq!(buckets_for(1200, 2), 2048);
+        assert_eq!(buckets_for(1_000_000, 5), 819);
+        assert_eq!(buckets_for(1_000_000, 100), 256);
+    }
+
+    #[test]
+    fn five_hundred_slices_are_sorted_by_as_many_buckets_as_triangles_and_not_by_256() {
+        let parameters = Quads {
+            count: 500,
+            order: SubmissionOrder::BackToFront,
+            ..Quads::default()
+        };
+        let mut scene = Scene::of("quads", vec![quads(&parameters).unwrap()]);
+        scene.camera = Camera::looking(glam::DVec3::Z * 4.0, glam::DVec3::ZERO);
+        assert!(is_sorted(&scene, &TriangleSort::Automatic.order(&scene)));
+        assert!(!is_sorted(
+            &scene,
+            &TriangleSort::Buckets(256).order(&scene)
+        ));
+    }
+
+    #[test]
     fn reversed_buckets_are_as_unsorted_as_can_be() {
         let scene = stack(SubmissionOrder::FrontToBack);
         let mut order = TriangleSort::Reversed(64).order(&scene);
@@ -231,6 +276,7 @@ mod tests {
         for sorting in [
             TriangleSort::Submission,
             TriangleSort::Objects,
+            TriangleSort::Automatic,
             TriangleSort::Buckets(3),
         ] {
             let mut order = sorting.order(&scene);

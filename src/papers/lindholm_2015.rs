@@ -83,6 +83,25 @@ pub const COMPLEXITY_IMAGE: Listing = Listing {
     },
 };
 
+/// The same with all geometry, as the paper has it: no word is said of opaque surfaces and of what they hide.
+pub const COMPLEXITY_OF_ALL: Listing = Listing {
+    title: "The depth complexity image of all geometry",
+    source: "Lindholm et al. 2015, section 3.1",
+    dialect: Dialect::Calls,
+    steps: steps! {
+        glDisable(DEPTH_TEST);
+        run COMPLEXITY_IMAGE;
+        glBindFramebuffer(COUNTED);
+        glColorMask(false, false, false, false);
+        glDepthMask(false);
+        glDisable(DEPTH_TEST);
+        drawOpaqueObjects();
+        glMemoryBarrier();
+        glColorMask(true, true, true, true);
+        glDepthMask(true);
+    },
+};
+
 /// The same count by the stencil buffer: at most 255.
 pub const COUNT_BY_STENCIL: Listing = Listing {
     title: "The depth complexity image, by the stencil buffer",

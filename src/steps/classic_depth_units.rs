@@ -3,9 +3,9 @@
 //!
 //! | listing | depth unit 0 |
 //! | --- | --- |
-//! | bind buffer | bound to texture unit 3, as Listing 2 leaves it |
+//! | bind buffer | bound to texture unit 3, as Listing 2 leaves it, or copied into a rectangle texture that is bound there |
 //! | set depth func | `GL_TEXTURE_COMPARE_FUNC` |
-//! | enable, disable depth test | `GL_TEXTURE_2D` and `GL_ALPHA_TEST` together |
+//! | enable, disable depth test | `GL_TEXTURE_2D`, or the rectangle's, and `GL_ALPHA_TEST` together |
 //! | disable depth writes | nothing to do: a texture is not written |
 //!
 //! Depth unit 1 is the ordinary depth buffer. Surfaces that would be drawn with the program `peel` are drawn by the
@@ -15,7 +15,7 @@ use super::call::{Call, ClassicCall};
 use super::classic::{ClassicCapability, TextureTarget};
 use super::constants::Capability;
 use super::depth_units::DepthUnits;
-use super::names::{Query, Shader};
+use super::names::{Map, Query, Shader};
 use super::walk::Machine;
 use crate::error::Result;
 
@@ -26,10 +26,14 @@ pub struct ClassicDepthUnits<'a, M> {
     active: u8,
     /// The program that draws in place of `peel`.
     fixed_functions: Shader,
+    /// The texture that the shadow map is looked up in.
+    target: TextureTarget,
 }
 
 /// The texture unit with the shadow map.
 const SHADOW_UNIT: u32 = 3;
+/// The copy of the shadow map that is looked up as a rectangle texture.
+const RECTANGLE: Map = Map::named("shadow rectangle");
 
 impl<'a, M: Machine> ClassicDepthUnits<'a, M> {
     /// A machine whose unit 0 tests nothing yet. `fixed_functions` draws surfaces: `classic/fixed` or
@@ -39,6 +43,16 @@ impl<'a, M: Machine> ClassicDepthUnits<'a, M> {
             units: DepthUnits::new(machine),
             active: 1,
             fixed_functions,
+            target: TextureTarget::Texture2D,
+        }
+    }
+
+    /// The same with shadow maps in a rectangle texture, whose coordinates are texels.
+    #[must_use]
+    pub fn with_rectangles(self) -> Self {
+        Self {
+            target: TextureTarget::Rectangle,
+            ..self
         }
     }
 
@@ -50,9 +64,19 @@ impl<'a, M: Machine> ClassicDepthUnits<'a, M> {
         match *call {
             Call::BindDepthBuffer { buffer } => {
                 self.classic(ClassicCall::ActiveTexture { unit: SHADOW_UNIT })?;
+                let texture = match self.target {
+                    TextureTarget::Texture2D => buffer,
+                    TextureTarget::Rectangle => {
+                        self.classic(ClassicCall::CopyToRectangle {
+                            from: buffer,
+                            to: RECTANGLE,
+                        })?;
+                        RECTANGLE
+                    }
+                };
                 self.classic(ClassicCall::BindTexture {
-                    target: TextureTarget::Texture2D,
-                    texture: buffer,
+                    target: self.target,
+                    texture,
                 })
             }
             Call::DepthFunc { func } => self.classic(ClassicCall::TextureCompareFunc { func }),
@@ -68,7 +92,10 @@ impl<'a, M: Machine> ClassicDepthUnits<'a, M> {
 
     fn test(&mut self, call: impl Fn(ClassicCapability) -> ClassicCall) -> Result<()> {
         self.classic(ClassicCall::ActiveTexture { unit: SHADOW_UNIT })?;
-        self.classic(call(ClassicCapability::Texture2D))?;
+        self.classic(call(match self.target {
+            TextureTarget::Texture2D => ClassicCapability::Texture2D,
+            TextureTarget::Rectangle => ClassicCapability::TextureRectangle,
+        }))?;
         self.classic(call(ClassicCapability::AlphaTest))
     }
 }

@@ -1,0 +1,94 @@
+//! Culling of what is finished (Carr et al. 2008, section 9: "exploitation of z-culling in the context of coherent layer
+//! peeling is still an area of future work"). A triangle that lies before `D(sc)` in all of its pixels has been
+//! composited, and need not be drawn again.
+//!
+//! `D(sc)` is read back after every iteration. A GPU would keep it in a hierarchical depth buffer.
+
+use glam::DMat4;
+
+use super::batches::{SLACK, depth_range};
+use crate::scene::Scene;
+
+/// The side of a tile of pixels that are finished or not together.
+const TILE: usize = 8;
+
+/// Where triangles lie in the image, and how deep.
+pub(super) struct Extents {
+    across: usize,
+    down: usize,
+    /// Every triangle as mesh and number, with its extent, or `None` if it is always drawn.
+    triangles: Vec<([u32; 2], Option<Extent>)>,
+}
+
+/// The first and the last column and row of tiles, and the farthest window depth.
+struct Extent {
+    columns: [usize; 2],
+    rows: [usize; 2],
+    far: f64,
+}
+
+impl Extents {
+    /// The triangles in their order. Opaque ones are always drawn.
+    pub(super) fn new(scene: &Scene, [width, height]: [u32; 2], order: &[[u32; 2]]) -> Self {
+        let camera = &scene.camera;
+        let view_projection = camera.projection(width, height) * camera.view();
+        let [across, down] = [width, height].map(|side| (side as usize).div_ceil(TILE));
+        let extent = |&[mesh, triangle]: &[u32; 2]| {
+            let of = &scene.meshes[mesh as usize];
+            let corners = of.corners(triangle as usize);
+            let size = [width, height];
+            let extent = (!of.opaque).then(|| extent(view_projection, corners, size));
+            ([mesh, triangle], extent)
+        };
+        Self {
+            across,
+            down,
+            triangles: order.iter().map(extent).collect(),
+        }
+    }
+
+    /// The triangles that are not finished. `bound` is every pixel's `D(sc)`, and `opaque` its opaque depth, row by row
+    /// from the bottom.
+    pub(super) fn unfinished(&self, bound: &[f32], opaque: &[f32], width: u32) -> Vec<[u32; 2]> {
+        let mut nearest = vec![f64::INFINITY; self.across * self.down];
+        for (pixel, (&bound, &opaque)) in bound.iter().zip(opaque).enumerate() {
+            // What has reached the opaque surface, or the far plane, is finished.
+            if bound < opaque {
+                let (x, y) = (pixel % width as usize, pixel / width as usize);
+                let tile = &mut nearest[y / TILE * self.across + x / TILE];
+                *tile = tile.min(f64::from(bound));
+            }
+        }
+        let is_open = |extent: &Extent| {
+            (extent.rows[0]..=extent.rows[1]).any(|row| {
+                let tiles = &nearest[row * self.across..][extent.columns[0]..=extent.columns[1]];
+                tiles.iter().any(|&nearest| nearest <= extent.far + SLACK)
+            })
+        };
+        let open = self.triangles.iter();
+        open.filter(|(_, extent)| extent.as_ref().is_none_or(is_open))
+            .map(|(triangle, _)| *triangle)
+            .collect()
+    }
+}
+
+/// The whole image if the triangle reaches behind the eye.
+fn extent(view_projection: DMat4, corners: [crate::scene::Vertex; 3], size: [u32; 2]) -> Extent {
+    let [_, far] = depth_range(view_projection, corners);
+    let clip = corners.map(|corner| view_projection * corner.position.extend(1.0));
+    let behind = clip.iter().any(|corner| corner.w <= 0.0);
+    let [columns, rows] = [0, 1].map(|axis| {
+        let last = f64::from(size[axis] - 1);
+        let places = clip.map(|corner| (corner[axis] / corner.w + 1.0) / 2.0 * (last + 1.0));
+        let low = places.into_iter().fold(f64::INFINITY, f64::min);
+        let high = places.into_iter().fold(f64::NEG_INFINITY, f64::max);
+        // A pixel more on each side, for roundings.
+        let range = if behind {
+            [0.0, last]
+        } else {
+            [low - 1.0, high + 1.0]
+        };
+        range.map(|place| place.clamp(0.0, last) as usize / TILE)
+    });
+    Extent { columns, rows, far }
+}
