@@ -129,7 +129,7 @@ impl CoherentLayerPeeling {
     }
 
     fn culls(&self) -> bool {
-        self.options.cull && !self.options.as_printed
+        self.options.cull && self.options.reading == Reading::Amended
     }
 
     fn amendments(&self) -> Vec<Amendment> {

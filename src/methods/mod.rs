@@ -45,6 +45,7 @@ macro_rules! declare {
             pub use crate::methods::buffer_access::BufferAccess;
             pub use crate::methods::sorting::TriangleSort;
             pub use crate::steps::Reading;
+            pub use crate::methods::vtk_settings::VtkSettings;
         }
     };
 }
@@ -95,4 +96,3 @@ pub use renderer::Renderer;
 pub use slicing::{DEFAULT_SLICES, MOST_SLICES};
 pub use stats::{ABufferCounts, Peeling, Stats};
 pub use technique::Technique;
-pub use vtk_settings::VtkSettings;

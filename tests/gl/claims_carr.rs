@@ -2,10 +2,10 @@
 //! scenes. The claims about single pixels are in `papers/emulator_*.rs`; `gl/lockstep.rs` shows that both are one machine.
 
 use crate::kit::bounds::F32;
-use crate::kit::carr_scenes::{HYBRID, LAYERS, error, ideal};
+use crate::kit::carr_scenes::{HYBRID, LAYERS, error, figure_1, ideal};
 use crate::kit::render::{example, render};
 use crate::kit::stack;
-use onionskin::generate::{Slices, Soup, SubmissionOrder, slices, soup};
+use onionskin::generate::{Soup, soup};
 use onionskin::low_level::steps::Reason;
 use onionskin::options::{CoherentOptions, TriangleSort, Variant};
 use onionskin::{Comparison, Context, Method, Scene};
@@ -101,28 +101,11 @@ fn shuffled_triangles_give_the_same_image() {
 
 // ---- Counts ----------------------------------------------------------------------------------------------------------
 
-/// Figure 1: slices through a volume, front to back, and a cone that goes through them.
-fn figure_1(count: u32) -> Scene {
-    let mut scene = example("slices", [64, 48]);
-    let parameters = Slices {
-        count,
-        size: 2.0,
-        cells: 1,
-        alpha: 0.02,
-        order: SubmissionOrder::FrontToBack,
-        ..Slices::default()
-    };
-    let mut volume = slices(&parameters).unwrap();
-    volume.sorted = true;
-    scene.meshes[0] = volume;
-    scene
-}
-
 #[test]
 pub(crate) fn c01_layer_peeling_takes_as_many_iterations_as_the_deepest_pixel_has_layers() {
     let context = Context::headless().unwrap();
     let [a, b] = [10, 20].map(|count| {
-        let scene = figure_1(count);
+        let scene = figure_1(count, [64, 48]);
         render(&context, &scene, &LAYERS).stats
     });
     // The cone has two layers at most; one iteration more finds nothing.
@@ -134,7 +117,7 @@ pub(crate) fn c01_layer_peeling_takes_as_many_iterations_as_the_deepest_pixel_ha
 #[test]
 pub(crate) fn c03_figure_1_takes_3_iterations_instead_of_257() {
     let context = Context::headless().unwrap();
-    let scene = figure_1(256);
+    let scene = figure_1(256, [64, 48]);
     let hybrid = render(&context, &scene, &HYBRID).stats;
     assert_eq!(hybrid.iterations, 3);
     let layers = render(&context, &scene, &LAYERS).stats;
@@ -152,7 +135,7 @@ fn c04_iterations_grow_with_the_slices_for_layer_peeling_only() {
     println!("slices  layer  hybrid  coherent A  coherent B");
     let mut rows = Vec::new();
     for count in [8, 16, 32, 64] {
-        let scene = figure_1(count);
+        let scene = figure_1(count, [64, 48]);
         let [layers, hybrid, a, b] = [
             LAYERS,
             HYBRID,

@@ -172,6 +172,34 @@ pub(crate) fn e10_layer_2_has_the_shape_of_a_teapot_but_most_of_it_is_plane() {
     assert!(two.all() <= zero.red + zero.green, "{two:?} in {zero:?}");
 }
 
+/// What is left behind three surfaces: the plane under the pot's far side, and the pot's own parts where handle, spout and
+/// body stand before each other. It is a part of layer 2's shape.
+#[test]
+fn e10_layer_3_is_a_part_of_layer_2_s_shape() {
+    let context = Context::headless().unwrap();
+    let frame = peel(&context, &example("teapot"), keeping(4));
+    let [two, three] = [2, 3].map(|number: usize| &frame.layers[number].depth);
+    let pairs = two.iter().zip(three);
+    assert!(
+        pairs
+            .clone()
+            .all(|(two, three)| *three >= 1.0 || two < three)
+    );
+    assert!(
+        pairs
+            .filter(|(two, three)| **two < 1.0 && **three >= 1.0)
+            .count()
+            > 100
+    );
+    let [.., hues] = teapot_layers();
+    println!("{hues:?}");
+    // The inside of the pot once more, and the plane behind it.
+    assert!(
+        hues.green > 50 && hues.blue > 50 && hues.red < 20,
+        "{hues:?}"
+    );
+}
+
 /// How many of a layer's samples are mostly of one colour.
 #[derive(Clone, Copy, Debug, Default)]
 struct Hues {

@@ -3,7 +3,7 @@
 
 use crate::kit::bounds::F32;
 use onionskin::generate::SubmissionOrder;
-use onionskin::options::ABufferOptions;
+use onionskin::options::{ABufferOptions, Fill, Manager};
 use onionskin::{Comparison, Context, CountBy, Method, Renderer};
 
 use crate::kit::a_buffer::*;
@@ -38,36 +38,102 @@ pub(crate) fn l09_a_static_array_loses_everything_past_n_and_says_so() {
     }
 }
 
+/// "The counting can be combined with the scene rasterization in the Fill Step and, hence, no additional rendering passes
+/// are required." That holds of a buffer whose size does not depend on the counts: one geometry pass counts, fills, and
+/// tells segments apart, as printed (by the stencil buffer) and as amended (by the fill's own counter).
 #[test]
 pub(crate) fn l10_the_fill_counts_and_no_geometry_pass_is_added() {
     let context = Context::headless().unwrap();
     let scene = bundled("soup.toml", [160, 120]);
     let mut renderer = Renderer::new(&context, 160, 120).unwrap();
-    for reading in [
-        onionskin::options::Reading::Amended,
-        onionskin::options::Reading::AsPrinted,
-    ] {
-        let (plain, static_cost) = render(&mut renderer, &scene, options());
-        let (frame, cost) = render(
-            &mut renderer,
-            &scene,
-            ABufferOptions {
-                pp_ao: true,
+    let deepest = renderer.complexity(&scene, CountBy::Blending).unwrap();
+    let exact = renderer.render(&scene, &Method::Exact).unwrap().image;
+    for (pp_ao, reading) in [(false, Reading::Amended), (true, Reading::Amended), (true, Reading::AsPrinted)] {
+        for fill in [Fill::Atomics, Fill::Automatic] {
+            let options = ABufferOptions {
+                manager: Manager::Ffb,
+                fixed_layers: Some(deepest.max()),
+                pp_ao,
+                reading,
+                fill,
+                ..options()
+            };
+            let (frame, cost) = render(&mut renderer, &scene, options);
+            let passes = (frame.stats.geometry_passes, cost.counting_passes);
+            assert_eq!(passes, (1, 0), "{options:?}");
+            assert_eq!(frame.stats.lost, Some(0));
+            let error = Comparison::new(&frame.image, &exact, F32).unwrap();
+            assert_eq!(error.over, 0, "{options:?}: {error:?}");
+            if pp_ao {
+                assert_eq!(
+                    cost.resolved,
+                    deepest.covered(),
+                    "each pixel in one segment"
+                );
+                assert!(cost.slots_reserved * 4 < deepest.covered() * 64);
+            }
+        }
+    }
+}
+
+/// A buffer that is as large as the counts say needs them before it is filled. That pass is the manager's: it is there
+/// with a static array, too.
+#[test]
+fn l10_the_counting_pass_is_the_memory_manager_s_and_not_pp_ao_s() {
+    let context = Context::headless().unwrap();
+    let scene = bundled("soup.toml", [160, 120]);
+    let mut renderer = Renderer::new(&context, 160, 120).unwrap();
+    for manager in MANAGERS {
+        for (pp_ao, reading) in [(false, Reading::Amended), (true, Reading::Amended), (true, Reading::AsPrinted)] {
+            let options = ABufferOptions {
+                manager,
+                pp_ao,
                 reading,
                 ..options()
-            },
-        );
-        assert_eq!(frame.stats.geometry_passes, plain.stats.geometry_passes);
-        assert!(frame.image == plain.image);
-        // Figure 5's grey areas: less is reserved, as much is used.
-        assert_eq!(cost.slots_used, static_cost.slots_used);
-        assert!(cost.slots_reserved * 4 < static_cost.slots_reserved);
-        // Every covered pixel in one segment.
-        let covered = renderer
-            .complexity(&scene, CountBy::Blending)
-            .unwrap()
-            .covered();
-        assert_eq!(cost.resolved, covered);
+            };
+            let (frame, cost) = render(&mut renderer, &scene, options);
+            assert_eq!(cost.counting_passes, 1, "{options:?}");
+            // And one to fill each band.
+            let fills = u64::from(cost.bands);
+            assert_eq!(frame.stats.geometry_passes, 1 + fills, "{options:?}");
+        }
+    }
+}
+
+/// What a fixed buffer has no room for is lost, and counted: of each list what came last.
+#[test]
+fn l10_what_a_fixed_buffer_has_no_room_for_is_lost_and_counted() {
+    let context = Context::headless().unwrap();
+    let counts = [3, 8, 9, 20, 64, 100];
+    let stack = row(&counts);
+    let mut renderer = Renderer::new(&context, 6, 1).unwrap();
+    for (layers, pp_dp) in [(8, false), (20, true), (100, true)] {
+        for pp_ao in [false, true] {
+            let options = ABufferOptions {
+                manager: Manager::Ffb,
+                fixed_layers: Some(layers),
+                pp_ao,
+                pp_dp,
+                ..options()
+            };
+            let (frame, cost) = render(&mut renderer, &stack.scene(), options);
+            let past = |&count: &usize| count.saturating_sub(layers as usize);
+            let lost: usize = counts.iter().map(past).sum();
+            assert_eq!(frame.stats.lost, Some(lost as u64), "{options:?}");
+            assert_eq!(cost.list_bytes, 6 * 32 * u64::from(layers));
+            let mut kept = stack.clone();
+            kept.pixels
+                .iter_mut()
+                .for_each(|list| list.truncate(layers as usize));
+            let error = Comparison::new(&frame.image, &kept.expected(), F32).unwrap();
+            assert_eq!(error.over, 0, "{options:?}: {error:?}");
+            let why = if lost > 0 {
+                "fixed buffer full"
+            } else {
+                "done"
+            };
+            assert_eq!(frame.stats.stopped_text(), why);
+        }
     }
 }
 
@@ -105,6 +171,30 @@ pub(crate) fn l11_complexities_of_255_and_more_share_the_last_segment_and_none_i
     assert_eq!((frame.stats.lost, cost.resolved), (Some(0), 6));
     let error = Comparison::new(&frame.image, &stack.expected(), F32).unwrap();
     assert_eq!(error.over, 0, "{error:?}");
+}
+
+/// "Using an 8bit buffer does not limit the depth complexity to 255. Higher complexities ... will all be associated with
+/// the same segment": eight bits and INCR, as printed. It holds if the last segment is one of 256, whose reference OpenGL
+/// clamps to 255. What is past 256 is lost without ppDP.
+#[test]
+fn l11_eight_bits_leave_255_and_more_to_the_last_segment_as_printed() {
+    let context = Context::headless().unwrap();
+    let counts = [254, 255, 256, 257, 280];
+    let stack = row(&counts);
+    let mut renderer = Renderer::new(&context, 5, 1).unwrap();
+    let options = ABufferOptions {
+        pp_ao: true,
+        array: 256,
+        as_printed: true,
+        ..options()
+    };
+    let (frame, cost) = render(&mut renderer, &stack.scene(), options);
+    // Each once, none in a smaller segment.
+    assert_eq!(cost.resolved, 5);
+    assert_eq!(cost.slots_reserved, 5 * 256);
+    assert_eq!(frame.stats.lost, Some(1 + 24));
+    let error = Comparison::new(&frame.image, &stack.expected(), F32).unwrap();
+    assert_eq!(error.over, 2, "{error:?}");
 }
 
 /// Erratum L5: `depth complexity(p) <= i` holds in no segment.

@@ -9,7 +9,8 @@ use onionskin::generate::{Soup, soup};
 use onionskin::low_level::gl::{CapturedFragment, ClassicState, Geometry, GlMachine};
 use onionskin::low_level::papers::everitt_2001::{LISTING_2, SHADOW_AS_DEPTH_TEST};
 use onionskin::low_level::steps::{
-    Call, Capability, Machine, Map, Objects, Query, Shader, Target, Variables, gl::*, print, run,
+    Call, Capability, ClassicCall, Machine, Map, Objects, Query, Shader, Step, Target, Variables,
+    gl::*, print, run,
 };
 use onionskin::options::{Compositing, DepthPeelingOptions, DepthUnit0};
 use onionskin::{Camera, Comparison, Context, Error, Format, Frame, Method, Result, Rgba, Scene};
@@ -68,6 +69,71 @@ pub(crate) fn e08_with_one_word_changed_it_is_something_else() {
         );
     }
 }
+
+/// Every step, left out of a state that is not OpenGL's initial one: the coordinates, the state or the calls' success change.
+/// What nobody can notice is named with its reason.
+#[test]
+fn e07_e08_every_step_of_listing_2_is_missed() {
+    let camera = camera(0.5, 50.0);
+    let (view, projection) = (camera.view(), camera.projection(4, 3));
+    let eye = view * points(3, 1)[0].extend(1.0);
+    // Matrices, modes and units that something else has left behind.
+    let dirty = [
+        glMatrixMode(GL_MODELVIEW),
+        glTranslatef(0.1, 0.2, 0.3),
+        glActiveTextureARB(GL_TEXTURE1_ARB),
+        glMatrixMode(GL_TEXTURE),
+        glScalef(2.0, 2.0, 2.0),
+        glActiveTextureARB(GL_TEXTURE2_ARB),
+        glScalef(3.0, 3.0, 3.0),
+        glActiveTextureARB(GL_TEXTURE3_ARB),
+    ];
+    let calls = |steps: &[Step]| -> Vec<ClassicCall> {
+        let classic = steps.iter().filter_map(|step| match step {
+            Step::Call(Call::Classic(call)) => Some(*call),
+            _ => None,
+        });
+        classic.collect()
+    };
+    let run = |listing: &[ClassicCall]| {
+        let mut state = ClassicState::new(view, projection);
+        let before = dirty.map(Step::Call);
+        for call in calls(&before).iter().chain(listing) {
+            state.perform(call).map_err(|error| error.to_string())?;
+        }
+        let products = [1, 2].map(|unit| dot_product(&state, unit, eye));
+        Ok::<_, String>((products.map(f64::to_bits), format!("{state:?}")))
+    };
+    let listing = calls(LISTING_2.steps);
+    let right = run(&listing);
+    assert!(right.is_ok());
+    let mut unnoticed = Vec::new();
+    let mut in_numbers = 0;
+    for number in 0..listing.len() {
+        let mut without = listing.clone();
+        without.remove(number);
+        let changed = run(&without);
+        let moved = changed.as_ref().map(|(products, _)| *products)
+            != right.as_ref().map(|(products, _)| *products);
+        in_numbers += usize::from(moved);
+        if changed == right {
+            unnoticed.push(format!("{:?}", listing[number]));
+        }
+    }
+    println!(
+        "{} steps, {in_numbers} of them change r or q; unnoticed: {unnoticed:#?}",
+        listing.len()
+    );
+    assert!(in_numbers >= 12, "{in_numbers}");
+    assert_eq!(unnoticed, UNNOTICED);
+}
+
+/// The texture of (0, 0, 1) is the machine's, and the input of both dot products is the only one there is.
+const UNNOTICED: [&str; 3] = [
+    "BindUnsignedHilo",
+    "TexEnv { target: TextureShader, pname: PreviousTextureInput, param: Unit(0) }",
+    "TexEnv { target: TextureShader, pname: PreviousTextureInput, param: Unit(0) }",
+];
 
 #[test]
 pub(crate) fn e06_equations_1_to_4_are_one_number_in_exact_arithmetic() {

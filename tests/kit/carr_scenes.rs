@@ -1,9 +1,11 @@
 //! Methods and scenes of the claims of Carr, Měch and Miller 2008.
 
+use super::render::example;
+use onionskin::generate::{Slices, SubmissionOrder, slices};
 use onionskin::options::{
     HybridLayerPeelingOptions, IdealOptions, LayerPeelingOptions, TriangleSort,
 };
-use onionskin::{Comparison, Frame, Method};
+use onionskin::{Comparison, Frame, Method, Scene};
 
 pub fn ideal(sorting: TriangleSort) -> Method {
     Method::IdealCoherentLayerPeeling(IdealOptions {
@@ -23,4 +25,21 @@ pub fn error(frame: &Frame, exact: &Frame) -> f64 {
     Comparison::new(&frame.image, &exact.image, 0.0)
         .unwrap()
         .max
+}
+
+/// Figure 1: slices through a volume, front to back, and a cone that goes through them.
+pub fn figure_1(count: u32, size: [u32; 2]) -> Scene {
+    let mut scene = example("slices", size);
+    let parameters = Slices {
+        count,
+        size: 2.0,
+        cells: 1,
+        alpha: 0.02,
+        order: SubmissionOrder::FrontToBack,
+        ..Slices::default()
+    };
+    let mut volume = slices(&parameters).unwrap();
+    volume.sorted = true;
+    scene.meshes[0] = volume;
+    scene
 }

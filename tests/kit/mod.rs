@@ -25,6 +25,7 @@ pub mod masks;
 pub mod peeling;
 pub mod peels;
 pub mod pp_dp;
+pub mod records;
 pub mod render;
 pub mod scene;
 pub mod sheets;

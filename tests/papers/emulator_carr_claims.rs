@@ -99,6 +99,47 @@ pub(crate) fn c15_an_iteration_peels_at_most_128_surfaces_and_loses_none() {
     }
 }
 
+/// "This process is repeated until no surfaces remain to be peeled. We can detect when this occurs using occlusion queries
+/// during the compositing phase": every iteration but the last composites something.
+#[test]
+fn c16_the_loop_stops_when_the_compositing_phase_draws_nothing() {
+    const NO_STOP: Amendment = Amendment {
+        key: "no stop",
+        place: "section 5.2, the end of the loop",
+        printed: steps! { stop if (found == 0) because EmptyLayer; },
+        amended: steps! {},
+        why: "does the query end the loop?",
+        test: "this one",
+    };
+    for pixels in [random_image(8), tied_image(8, 4), reversed(9), sorted(30)] {
+        for which in [Loop::A, Loop::B] {
+            let iterations = amended(which, &pixels).iterations();
+            let up_to = |limit: u32, amendments: &[Amendment]| {
+                let mut emulator = Emulator::new(pixels.clone());
+                which.allocate_maps(&mut emulator, Format::Rgba32F, Format::Depth32FStencil8);
+                let outcome = which.run(&mut emulator, amendments, f64::from(limit));
+                let composited = outcome.variables.get("composited").unwrap();
+                (composited, outcome.stopped)
+            };
+            let mut before = 0.0;
+            for limit in 1..iterations {
+                let (composited, stopped) = up_to(limit, &which.amendments());
+                assert!(
+                    composited > before && stopped.is_none(),
+                    "{which:?} {limit}"
+                );
+                before = composited;
+            }
+            let last = up_to(iterations, &which.amendments());
+            assert_eq!(last, (before, Some(Reason::EmptyLayer)), "{which:?}");
+            // Without it the loop goes on, and finds nothing again and again.
+            let mut endless = which.amendments();
+            endless.push(NO_STOP);
+            assert_eq!(up_to(iterations + 5, &endless), (before, None), "{which:?}");
+        }
+    }
+}
+
 #[test]
 pub(crate) fn c24_sorting_beforehand_removes_the_overflow() {
     let n = 600;

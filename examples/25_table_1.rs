@@ -1,0 +1,89 @@
+//! Table 1 of Carr, Měch and Miller (2008) on the bundled meshes: iterations and geometry passes of coherent layer peeling and
+//! of layer peeling, and how many times as long the latter takes.
+//!
+//! Prints the table. Writes one picture: the molecule's surface from three sides.
+//!
+//! `cargo run --release --example 25_table_1 [FOLDER]`
+
+use onionskin::generate::{Teapot, TorusKnot, teapot, torus_knot};
+use onionskin::options::Variant;
+use onionskin::{Camera, Context, Mesh, Method, Renderer, Scene};
+
+#[path = "common/example.rs"]
+mod example;
+
+const SIZE: [u32; 2] = [240, 180];
+const VIEWS: [(&str, [f64; 3]); 3] = [
+    ("front", [0.0, 0.0, 1.0]),
+    ("side", [1.0, 0.0, 0.0]),
+    ("top", [0.0, 1.0, 0.02]),
+];
+
+fn main() -> onionskin::Result<()> {
+    let context = Context::headless()?;
+    let mut renderer = Renderer::new(&context, SIZE[0], SIZE[1])?;
+    let methods = [
+        Method::CoherentLayerPeeling(Variant::A.into()),
+        Method::CoherentLayerPeeling(Variant::B.into()),
+        Method::LayerPeeling(Default::default()),
+    ];
+    println!(
+        "model          faces  vertices  view     coherent A     coherent B  layer peeling  its time / A's"
+    );
+    let mut pictures = Vec::new();
+    for (name, mesh) in models()? {
+        for (view, direction) in VIEWS {
+            let scene = seen_from(&mesh, direction);
+            let (faces, vertices) = (mesh.triangles.len(), mesh.vertices.len());
+            print!("{name:<12} {faces:7} {vertices:9}  {view:<5}");
+            let mut ms = Vec::new();
+            for method in &methods {
+                let frame = renderer.measure(&scene, method, 3)?;
+                let stats = &frame.stats;
+                let cell = format!("{} it, {} g", stats.iterations, stats.geometry_passes);
+                print!("{cell:>15}");
+                ms.push(stats.ms);
+                if name == "surface" && ms.len() == 1 {
+                    pictures.push(frame.image);
+                }
+            }
+            println!("{:>16.2}", ms[2] / ms[0]);
+        }
+    }
+    println!(
+        "the paper's table: 2.5 to 8.7 times as many iterations by layer peeling, and 0.8 to 3 times the time"
+    );
+    let path = example::output("25_table_1.png")?;
+    example::sheet(&pictures, VIEWS.len()).save(&path)?;
+    println!("{}", path.display());
+    Ok(())
+}
+
+fn models() -> onionskin::Result<Vec<(String, Mesh)>> {
+    let mut models = vec![
+        ("teapot".to_owned(), teapot(&Teapot::default())?),
+        ("torus knot".to_owned(), torus_knot(&TorusKnot::default())?),
+    ];
+    let molecule = Scene::load(example::scene("molecule.toml"))?;
+    let names = ["ligand", "ribbon", "potential +", "potential -", "surface"];
+    models.extend(names.map(String::from).into_iter().zip(molecule.meshes));
+    for (_, mesh) in &mut models {
+        mesh.vertices
+            .iter_mut()
+            .for_each(|vertex| vertex.color.a = 0.4);
+        mesh.opaque = false;
+    }
+    Ok(models)
+}
+
+/// The whole mesh, from this direction.
+fn seen_from(mesh: &Mesh, direction: [f64; 3]) -> Scene {
+    let mut scene = Scene::of("model", vec![mesh.clone()]);
+    scene.size = SIZE;
+    if let Some(bounds) = scene.bounds() {
+        let far = (bounds.max - bounds.min).length() * 1.6;
+        let eye = bounds.centre() + glam::DVec3::from(direction).normalize() * far;
+        scene.camera = Camera::looking(eye, bounds.centre());
+    }
+    scene
+}
