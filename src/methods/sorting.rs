@@ -18,7 +18,7 @@ pub enum TriangleSort {
     /// Mesh by mesh, the mesh with the nearest middle first.
     Objects,
     /// By centroid, into as many buckets as the scene asks for: [`Buckets`](Self::Buckets), 256 of them, or as many as there
-    /// are triangles if that is more. But where meshes may take turns, there are no more than 4096 draws.
+    /// are triangles if that is more. There are fewer where meshes would take turns more than 1024 times.
     #[default]
     Automatic,
     /// By centroid, into this many equally deep buckets between the nearest and the farthest. Within a bucket,
@@ -37,18 +37,29 @@ pub(super) const SORT: Choice = Choice {
 
 /// The fewest buckets. On the bundled scenes more of them saved no iteration (`benches/carr.rs`).
 const FEWEST: u32 = 256;
+/// The most buckets.
+const MOST: u32 = 1 << 20;
 /// The most draws that a pass may need because buckets make the meshes take turns.
-const MOST_DRAWS: usize = 4096;
+const MOST_DRAWS: usize = 1024;
 
-/// As many buckets as triangles separate whatever lies at equal distances, such as slices. But every bucket may cost a
-/// draw call per mesh.
-fn buckets_for(triangles: usize, meshes: usize) -> u32 {
-    let most = match meshes {
-        0 | 1 => 1 << 20,
-        _ => MOST_DRAWS / meshes,
-    };
-    let wanted = triangles.next_power_of_two().min(most);
-    FEWEST.max(wanted as u32)
+/// As many buckets as triangles separate whatever lies at equal distances, such as slices. But each time that another
+/// mesh has its turn costs a draw call, so there are fewer buckets where that happens too often.
+fn in_own_buckets(scene: &Scene, meshes: &[u32]) -> Vec<[u32; 2]> {
+    let triangles = every_triangle(scene, meshes).len() as u32;
+    let mut count = triangles.min(MOST).next_power_of_two().max(FEWEST);
+    loop {
+        let order = in_buckets(scene, meshes, count).concat();
+        if count == FEWEST || turns(&order) <= MOST_DRAWS {
+            return order;
+        }
+        count /= 2;
+    }
+}
+
+/// How often the order goes on to another mesh.
+fn turns(order: &[[u32; 2]]) -> usize {
+    let others = order.windows(2).filter(|pair| pair[0][0] != pair[1][0]);
+    others.count() + 1
 }
 
 impl FromStr for TriangleSort {
@@ -115,11 +126,7 @@ impl TriangleSort {
                 let depth = |&mesh: &u32| middle_depth(scene, mesh);
                 every_triangle(scene, &nearest_first(transparent, depth))
             }
-            Self::Automatic => {
-                let triangles = every_triangle(scene, &transparent).len();
-                let count = buckets_for(triangles, transparent.len());
-                in_buckets(scene, &transparent, count).concat()
-            }
+            Self::Automatic => in_own_buckets(scene, &transparent),
             Self::Buckets(count) => in_buckets(scene, &transparent, count).concat(),
             Self::Reversed(count) => {
                 let mut buckets = in_buckets(scene, &transparent, count);
@@ -228,13 +235,29 @@ mod tests {
         }
     }
 
+    /// Two stacks that take turns at every quad: fewer buckets, whose triangles are drawn mesh by mesh.
     #[test]
-    fn buckets_follow_the_triangles_but_not_into_too_many_draws() {
-        assert_eq!(buckets_for(9, 1), 256);
-        assert_eq!(buckets_for(100_000, 1), 131_072);
-        assert_eq!(buckets_for(1200, 2), 2048);
-        assert_eq!(buckets_for(1_000_000, 5), 819);
-        assert_eq!(buckets_for(1_000_000, 100), 256);
+    fn meshes_that_take_turns_too_often_get_fewer_buckets() {
+        let stacks = |count| {
+            let parameters = Quads {
+                count,
+                ..Quads::default()
+            };
+            let mesh = quads(&parameters).unwrap();
+            let mut scene = Scene::of("two", vec![mesh.clone(), mesh]);
+            scene.meshes[1]
+                .vertices
+                .iter_mut()
+                .for_each(|v| v.position.z -= 0.05);
+            scene.camera = Camera::looking(glam::DVec3::Z * 4.0, glam::DVec3::ZERO);
+            scene
+        };
+        let few = stacks(500);
+        let order = TriangleSort::Automatic.order(&few);
+        assert!(is_sorted(&few, &order) && turns(&order) == 1000);
+        let many = stacks(3000);
+        let order = TriangleSort::Automatic.order(&many);
+        assert!(!is_sorted(&many, &order) && turns(&order) <= MOST_DRAWS);
     }
 
     #[test]

@@ -304,12 +304,12 @@ fn c26_with_culling_the_empty_iteration_draws_nothing() {
 #[test]
 fn c26_a_sort_that_is_kept_stays_good_for_some_degrees() {
     let context = Context::headless().unwrap();
-    let mut scene = example("knots", [120, 90]);
+    let mut scene = example("knots", [64, 48]);
     let first = scene.camera;
     let from = first.eye - first.target;
     println!("degrees  iterations with a fresh sort  with the first frame's");
     let mut kept_at = Vec::new();
-    for degrees in [0.0_f64, 2.0, 5.0, 10.0, 30.0, 90.0, 180.0] {
+    for degrees in [0.0_f64, 5.0, 30.0, 90.0, 180.0] {
         let turn = glam::DMat3::from_rotation_y(degrees.to_radians());
         scene.camera.eye = first.target + turn * from;
         let exact = render(&context, &scene, &Method::Exact);
@@ -333,6 +333,6 @@ fn c26_a_sort_that_is_kept_stays_good_for_some_degrees() {
     assert_eq!(kept_at[0].0, kept_at[0].1);
     // A few degrees cost an iteration at most, from behind it is the wrong order.
     assert!(kept_at[1].1 <= kept_at[1].0 + 1, "{kept_at:?}");
-    let (fresh, kept) = kept_at[6];
+    let (fresh, kept) = kept_at[4];
     assert!(kept > fresh + 1, "{kept_at:?}");
 }

@@ -26,7 +26,7 @@ const LOCAL: [(&str, bool, bool); 4] = [
     ("ppDP", false, true),
     ("ppAO + ppDP", true, true),
 ];
-const SIZE: [u32; 2] = [64, 48];
+const SIZE: [u32; 2] = [48, 36];
 
 /// Figure 6 in counts. Every manager reads the same records (`l04_every_manager_and_fill_gives_the_oracle_s_image`), so one
 /// of them stands for all.
