@@ -1,6 +1,7 @@
 //! What Carr et al. (2008) claim of iterations, overflows and orders, counted on emulated pixels, and what the
 //! improvements buy that they only point at.
 
+use crate::kit::changed::changed;
 use crate::kit::peels;
 use approx::assert_abs_diff_eq;
 use onionskin::low_level::emulator::Emulator;
@@ -103,14 +104,10 @@ pub(crate) fn c15_an_iteration_peels_at_most_128_surfaces_and_loses_none() {
 /// during the compositing phase": every iteration but the last composites something.
 #[test]
 fn c16_the_loop_stops_when_the_compositing_phase_draws_nothing() {
-    const NO_STOP: Amendment = Amendment {
-        key: "no stop",
-        place: "section 5.2, the end of the loop",
-        printed: steps! { stop if (found == 0) because EmptyLayer; },
-        amended: steps! {},
-        why: "does the query end the loop?",
-        test: "this one",
-    };
+    const NO_STOP: Amendment = changed(
+        steps! { stop if (found == 0) because EmptyLayer; },
+        steps! {},
+    );
     for pixels in [random_image(8), tied_image(8, 4), reversed(9), sorted(30)] {
         for which in [Loop::A, Loop::B] {
             let iterations = amended(which, &pixels).iterations();
