@@ -3,11 +3,12 @@
 
 use crate::kit::bounds::F32;
 use crate::kit::carr_scenes::{HYBRID, LAYERS, error, figure_1};
+use crate::kit::lists::Lists;
 use crate::kit::render::{example, render};
 use onionskin::Camera;
 use onionskin::generate::{Quads, SubmissionOrder, quads};
 use onionskin::options::{CoherentOptions, TriangleSort, Variant};
-use onionskin::{Context, Method, Scene, Stats};
+use onionskin::{Comparison, Context, Method, Scene, Stats};
 
 /// Small, because layer peeling draws each of 512 slices a thousand times.
 const SMALL: [u32; 2] = [16, 12];
@@ -300,7 +301,7 @@ fn c26_with_culling_the_empty_iteration_draws_nothing() {
 }
 
 /// Section 4: "data can be sorted up front ... and updated periodically as the camera moves". The image is right with any old
-/// sort; an older one costs iterations.
+/// sort, but for ties; an older one costs iterations.
 #[test]
 fn c26_a_sort_that_is_kept_stays_good_for_some_degrees() {
     let context = Context::headless().unwrap();
@@ -313,17 +314,20 @@ fn c26_a_sort_that_is_kept_stays_good_for_some_degrees() {
         let turn = glam::DMat3::from_rotation_y(degrees.to_radians());
         scene.camera.eye = first.target + turn * from;
         let exact = render(&context, &scene, &Method::Exact);
+        let lists = Lists::of(&context, &scene);
         let [fresh, kept] = [None, Some(first)].map(|sorted_for| {
             let options = CoherentOptions {
                 sorted_for,
                 ..Variant::A.into()
             };
             let frame = render(&context, &scene, &coherent(options));
-            assert!(
-                error(&frame, &exact) <= F32,
-                "{degrees}: {}",
-                error(&frame, &exact)
-            );
+            let off = Comparison::pixels(&frame.image, &exact.image).unwrap();
+            for (pixel, off) in off.into_iter().enumerate().filter(|(_, off)| *off > F32) {
+                // Of equal depths the first after sorting lies in front, and the sort is of another view.
+                let list = &lists.pixels[pixel];
+                let tied = list.windows(2).any(|pair| pair[0].depth == pair[1].depth);
+                assert!(tied && sorted_for.is_some(), "{degrees}, {pixel}: {off}");
+            }
             assert_eq!(frame.stats.lost, Some(0));
             frame.stats.iterations
         });
