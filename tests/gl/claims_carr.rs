@@ -130,7 +130,7 @@ pub(crate) fn c03_figure_1_takes_3_iterations_instead_of_257() {
 }
 
 #[test]
-fn c04_iterations_grow_with_the_slices_for_layer_peeling_only() {
+pub(crate) fn c04_iterations_grow_with_the_slices_for_layer_peeling_only() {
     let context = Context::headless().unwrap();
     println!("slices  layer  hybrid  coherent A  coherent B");
     let mut rows = Vec::new();

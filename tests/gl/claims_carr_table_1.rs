@@ -49,7 +49,7 @@ fn seen_from(mesh: &Mesh, direction: [f64; 3]) -> Scene {
 }
 
 #[test]
-fn c20_c21_table_1_on_the_meshes_at_hand() {
+pub(crate) fn c20_c21_table_1_on_the_meshes_at_hand() {
     let context = Context::headless().unwrap();
     let [a, b] = [Variant::A, Variant::B].map(|v| Method::CoherentLayerPeeling(v.into()));
     println!(

@@ -25,7 +25,7 @@ fn stats(context: &Context, scene: &Scene, method: &Method) -> Stats {
 
 /// "The worst case algorithmic complexity of layer peeling is O(n²)": twice as many layers are four times the triangles.
 #[test]
-fn c01_layer_peeling_s_work_grows_with_the_square_of_the_layers() {
+pub(crate) fn c01_layer_peeling_s_work_grows_with_the_square_of_the_layers() {
     let context = Context::headless().unwrap();
     let mut before: Option<u64> = None;
     for n in [16, 32, 64, 128] {
@@ -44,7 +44,7 @@ fn c01_layer_peeling_s_work_grows_with_the_square_of_the_layers() {
 /// slices only, because "we can process at most 128 surfaces in one iteration" (section 5.1): the two sentences
 /// contradict each other (n1).
 #[test]
-fn c04_past_192_slices_the_128_an_iteration_show() {
+pub(crate) fn c04_c27_past_192_slices_the_128_an_iteration_show() {
     let context = Context::headless().unwrap();
     let mut rows = Vec::new();
     println!("slices  layer  hybrid  coherent A  coherent B");
@@ -67,7 +67,7 @@ fn c04_past_192_slices_the_128_an_iteration_show() {
 /// The buckets' number decides at 512 slices that are submitted back to front: 256 buckets hold two slices each, in the
 /// wrong order.
 #[test]
-fn c04_too_few_buckets_cost_an_iteration_a_bucket_and_the_scene_s_own_number_none() {
+pub(crate) fn c04_too_few_buckets_cost_an_iteration_a_bucket_and_the_scene_s_own_number_none() {
     let context = Context::headless().unwrap();
     let mut scene = figure_1(512, SMALL);
     let slices = &mut scene.meshes[0];
@@ -122,7 +122,7 @@ fn passes(stats: &Stats, scene: &Scene) -> [u64; 2] {
 /// peeling is slower by a constant factor of approximately 6". Here in fragments that are rasterised: a driver's depth test
 /// spares some of them the shader, and a time has other parts.
 #[test]
-fn c05_at_256_slices_hybrid_draws_over_52_times_fewer_fragments_and_coherent_6_times_more_than_hybrid()
+pub(crate) fn c05_at_256_slices_hybrid_draws_over_52_times_fewer_fragments_and_coherent_6_times_more_than_hybrid()
  {
     let context = Context::headless().unwrap();
     println!("slices  layer / hybrid  coherent A / hybrid  coherent B / hybrid");
@@ -183,7 +183,7 @@ fn stack(count: u32, order: SubmissionOrder) -> Scene {
 /// Section 2, after Wexler et al.: batches of a fixed size that do not overlap in depth make the work grow with n instead of
 /// with its square. Each batch is peeled coherently, in the scene's random order of submission.
 #[test]
-fn c25_batches_of_a_fixed_size_make_the_work_linear() {
+pub(crate) fn c25_batches_of_a_fixed_size_make_the_work_linear() {
     const IN_A_BATCH: u32 = 8;
     let context = Context::headless().unwrap();
     println!("    n  iterations  with batches  triangles  with batches");
@@ -228,7 +228,7 @@ fn c25_batches_of_a_fixed_size_make_the_work_linear() {
 
 /// "This algorithm works well when batches do not overlap each other much in depth": triangles of a soup reach into many.
 #[test]
-fn c25_batches_that_overlap_draw_triangles_again() {
+pub(crate) fn c25_batches_that_overlap_draw_triangles_again() {
     let context = Context::headless().unwrap();
     let scene = example("soup", [60, 45]);
     let [whole, batched] = [0, 64].map(|batches| {
@@ -252,7 +252,7 @@ fn c25_batches_that_overlap_draw_triangles_again() {
 /// Section 9: "exploitation of z-culling ... is still an area of future work". Triangles that lie before D(sc) are culled
 /// between iterations: the same image in the same iterations, with less geometry.
 #[test]
-fn c26_culling_what_is_finished_saves_triangles_and_changes_nothing_else() {
+pub(crate) fn c26_culling_what_is_finished_saves_triangles_and_changes_nothing_else() {
     let context = Context::headless().unwrap();
     println!("scene     variant  iterations  triangles  culled");
     for name in ["knots", "teapot", "slices"] {
@@ -286,7 +286,7 @@ fn c26_culling_what_is_finished_saves_triangles_and_changes_nothing_else() {
 
 /// The last iteration finds nothing, and with culling it has nothing to draw.
 #[test]
-fn c26_with_culling_the_empty_iteration_draws_nothing() {
+pub(crate) fn c26_with_culling_the_empty_iteration_draws_nothing() {
     let context = Context::headless().unwrap();
     let scene = stack(20, SubmissionOrder::FrontToBack);
     let options = CoherentOptions {
@@ -303,7 +303,7 @@ fn c26_with_culling_the_empty_iteration_draws_nothing() {
 /// Section 4: "data can be sorted up front ... and updated periodically as the camera moves". The image is right with any old
 /// sort, but for ties; an older one costs iterations.
 #[test]
-fn c26_a_sort_that_is_kept_stays_good_for_some_degrees() {
+pub(crate) fn c26_a_sort_that_is_kept_stays_good_for_some_degrees() {
     let context = Context::headless().unwrap();
     let mut scene = example("knots", [64, 48]);
     let first = scene.camera;

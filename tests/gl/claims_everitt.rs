@@ -85,7 +85,7 @@ pub(crate) fn e02_all_passes_give_all_layers() {
 }
 
 #[test]
-fn e02_two_layers_exchanged_would_be_noticed() {
+pub(crate) fn e02_two_layers_exchanged_would_be_noticed() {
     let context = Context::headless().unwrap();
     let scene = soup_scene(11);
     let lists = Lists::of(&context, &scene).distinct();
@@ -175,7 +175,7 @@ pub(crate) fn e10_layer_2_has_the_shape_of_a_teapot_but_most_of_it_is_plane() {
 /// What is left behind three surfaces: the plane under the pot's far side, and the pot's own parts where handle, spout and
 /// body stand before each other. It is a part of layer 2's shape.
 #[test]
-fn e10_layer_3_is_a_part_of_layer_2_s_shape() {
+pub(crate) fn e10_layer_3_is_a_part_of_layer_2_s_shape() {
     let context = Context::headless().unwrap();
     let frame = peel(&context, &example("teapot"), keeping(4));
     let [two, three] = [2, 3].map(|number: usize| &frame.layers[number].depth);

@@ -91,7 +91,7 @@ pub(crate) fn e12_as_printed_with_enough_passes_gives_the_right_colors() {
 }
 
 #[test]
-fn e12_as_printed_with_a_pass_too_few_gives_other_colors() {
+pub(crate) fn e12_as_printed_with_a_pass_too_few_gives_other_colors() {
     let context = Context::headless().unwrap();
     let stack = Stack {
         width: 3,
@@ -150,7 +150,7 @@ pub(crate) fn e13_three_layers_are_good_enough() {
 
 /// "Good enough", by a threshold that the paper does not give: an rms error below a step of 8 bits takes the fourth layer.
 #[test]
-fn e13_an_error_below_a_step_of_8_bits_takes_four_layers() {
+pub(crate) fn e13_an_error_below_a_step_of_8_bits_takes_four_layers() {
     let context = Context::headless().unwrap();
     let scene = example("teapot");
     let exact = render(&context, &scene, Method::Exact).image;

@@ -187,7 +187,7 @@ fn is_certain(scene: &Scene, point: DVec3, light: Camera) -> bool {
 }
 
 #[test]
-fn e14_a_light_s_own_depth_map_throws_the_shadows_that_rays_find() {
+pub(crate) fn e14_a_light_s_own_depth_map_throws_the_shadows_that_rays_find() {
     let context = Context::headless().unwrap();
     let scene = floor_and_blind();
     let image = shadowed(&context, &scene, light(), 0.002);
@@ -209,7 +209,7 @@ fn e14_a_light_s_own_depth_map_throws_the_shadows_that_rays_find() {
 
 /// Without a bias half of what is lit shadows itself: the texel's depth is not the fragment's.
 #[test]
-fn e14_without_a_bias_lit_surfaces_shadow_themselves() {
+pub(crate) fn e14_without_a_bias_lit_surfaces_shadow_themselves() {
     let context = Context::headless().unwrap();
     let scene = floor_and_blind();
     let wrong = |bias| {
@@ -234,7 +234,7 @@ fn e14_without_a_bias_lit_surfaces_shadow_themselves() {
 /// "We make the orientation and resolution of the shadow map identical to that of the camera": the light where the eye is.
 /// Then every visible surface is lit, and no fragment falls between texels.
 #[test]
-fn e14_the_camera_s_own_map_is_the_special_case() {
+pub(crate) fn e14_the_camera_s_own_map_is_the_special_case() {
     let context = Context::headless().unwrap();
     let scene = floor_and_blind();
     // What is left is the last bits of r/q against window z (E06).

@@ -32,7 +32,7 @@ pub(crate) fn l01_atomic_counters_give_the_depth_complexity_image_and_its_histog
 /// The paper counts "all geometries", opaque ones and what they hide, too; and its shares are of all pixels. What a
 /// resolve has to sort is less. Both are counted here.
 #[test]
-fn l01_all_geometry_is_counted_as_in_the_paper_beside_what_is_resolved() {
+pub(crate) fn l01_all_geometry_is_counted_as_in_the_paper_beside_what_is_resolved() {
     let context = Context::headless().unwrap();
     let stack = Stack {
         opaque: Some(500),
@@ -58,7 +58,7 @@ fn l01_all_geometry_is_counted_as_in_the_paper_beside_what_is_resolved() {
 
 /// The boxes of volumes are in both. The paper's protein: 68% of all pixels have 8 or less, 6.6% over 17, at most 46.
 #[test]
-fn l01_the_paper_s_counting_of_the_molecule_finds_more_than_is_resolved() {
+pub(crate) fn l01_the_paper_s_counting_of_the_molecule_finds_more_than_is_resolved() {
     let context = Context::headless().unwrap();
     let scene = bundled("molecule_fused.toml", [256, 192]);
     let mut renderer = Renderer::new(&context, 256, 192).unwrap();
@@ -151,7 +151,7 @@ pub(crate) fn l04_three_managers_give_the_same_image() {
 /// "All giving the same image" holds up to N. Of a longer list, FFB and DFB keep what was submitted first, and PPLL what was
 /// submitted last: the paper does not say which fragments are lost (n19), and it depends on the manager.
 #[test]
-fn l04_past_n_the_managers_lose_as_many_fragments_but_not_the_same() {
+pub(crate) fn l04_past_n_the_managers_lose_as_many_fragments_but_not_the_same() {
     let context = Context::headless().unwrap();
     let mut renderer = Renderer::new(&context, 160, 120).unwrap();
     let scene = bundled("slices.toml", [160, 120]);
@@ -313,7 +313,7 @@ pub(crate) fn l07_a_record_s_16_bytes_are_z_id_and_four_half_floats() {
 
 /// The id holds the source's type and number by bits: 30 for a volume's box, 29 where the ray leaves it, then the number.
 #[test]
-fn l07_the_id_s_bits_tell_surfaces_from_the_boxes_of_volumes() {
+pub(crate) fn l07_the_id_s_bits_tell_surfaces_from_the_boxes_of_volumes() {
     let context = Context::headless().unwrap();
     let mut scene = bundled("molecule_fused.toml", [8, 6]);
     scene.meshes.clear();

@@ -31,7 +31,7 @@ const SIZE: [u32; 2] = [48, 36];
 /// Figure 6 in counts. Every manager reads the same records (`l04_every_manager_and_fill_gives_the_oracle_s_image`), so one
 /// of them stands for all.
 #[test]
-fn l19_l25_figure_6_under_the_paper_s_conditions_and_exactly() {
+pub(crate) fn l19_l25_figure_6_under_the_paper_s_conditions_and_exactly() {
     let context = Context::headless().unwrap();
     println!(
         "{:15} {:12} {:>9} {:>9} {:>9} {:>7} {:>7}",
@@ -102,7 +102,7 @@ fn check_figure_6(name: &str, [fixed, pp_ao, pp_dp, both]: &[(ABufferCounts, ABu
 
 /// Termination saves records where something is opaque enough: a third of ppDP's reads on `medical`.
 #[test]
-fn l25_termination_saves_most_of_what_pp_dp_reads_of_the_medical_scene() {
+pub(crate) fn l25_termination_saves_most_of_what_pp_dp_reads_of_the_medical_scene() {
     let context = Context::headless().unwrap();
     let scene = bundled("medical.toml", SIZE);
     let mut renderer = Renderer::new(&context, SIZE[0], SIZE[1]).unwrap();
@@ -121,7 +121,7 @@ fn l25_termination_saves_most_of_what_pp_dp_reads_of_the_medical_scene() {
 /// Figure 7 under the paper's conditions: 0.95^64 = 0.0375 of the light comes through all 64 quads, so that no ray ends
 /// early, and what is said without termination holds with it.
 #[test]
-fn l18_figure_7_is_the_same_with_the_paper_s_termination() {
+pub(crate) fn l18_figure_7_is_the_same_with_the_paper_s_termination() {
     let context = Context::headless().unwrap();
     let mut scene = sheets(64, SubmissionOrder::Shuffled);
     scene.size = SIZE;
@@ -157,7 +157,7 @@ fn l18_figure_7_is_the_same_with_the_paper_s_termination() {
 /// "We observed an optimal Local Array size of 8 for our ppDP approach across all test setups": a claim about times on four
 /// GPUs. In counts there is no best size: the larger the array, the fewer records are read.
 #[test]
-fn l22_in_counts_no_array_size_of_pp_dp_is_the_best() {
+pub(crate) fn l22_in_counts_no_array_size_of_pp_dp_is_the_best() {
     let context = Context::headless().unwrap();
     let scene = bundled("molecule_fused.toml", SIZE);
     let mut renderer = Renderer::new(&context, SIZE[0], SIZE[1]).unwrap();
@@ -196,7 +196,7 @@ fn l22_in_counts_no_array_size_of_pp_dp_is_the_best() {
 /// "Consumption of global memory is almost optimal even for rapidly decreasing DCHs": what DFB and PPLL take over the 16
 /// bytes of each fragment, and what FFB takes.
 #[test]
-fn l23_dynamic_buffers_take_almost_16_bytes_a_fragment() {
+pub(crate) fn l23_dynamic_buffers_take_almost_16_bytes_a_fragment() {
     let context = Context::headless().unwrap();
     println!("bytes over 16 a fragment: DFB, PPLL by atomics, PPLL in order, FFB");
     for (name, _) in &SCENES[..2] {
@@ -243,7 +243,7 @@ fn l23_dynamic_buffers_take_almost_16_bytes_a_fragment() {
 /// "Support for high depth complexities while guaranteeing a minimum number of correctly blended samples": cut short after k
 /// subpasses, ppDP has blended the k x n nearest, and ppAO + ppDP the k x N nearest of deep pixels.
 #[test]
-fn l24_pp_dp_cut_short_has_blended_the_nearest_ones_right() {
+pub(crate) fn l24_pp_dp_cut_short_has_blended_the_nearest_ones_right() {
     let context = Context::headless().unwrap();
     let counts = [3, 8, 16, 17, 40, 100];
     let stack = row(&counts);

@@ -79,7 +79,7 @@ pub(crate) fn l10_the_fill_counts_and_no_geometry_pass_is_added() {
 /// A buffer that is as large as the counts say needs them before it is filled. That pass is the manager's: it is there
 /// with a static array, too.
 #[test]
-fn l10_the_counting_pass_is_the_memory_manager_s_and_not_pp_ao_s() {
+pub(crate) fn l10_the_counting_pass_is_the_memory_manager_s_and_not_pp_ao_s() {
     let context = Context::headless().unwrap();
     let scene = bundled("soup.toml", [160, 120]);
     let mut renderer = Renderer::new(&context, 160, 120).unwrap();
@@ -102,7 +102,7 @@ fn l10_the_counting_pass_is_the_memory_manager_s_and_not_pp_ao_s() {
 
 /// What a fixed buffer has no room for is lost, and counted: of each list what came last.
 #[test]
-fn l10_what_a_fixed_buffer_has_no_room_for_is_lost_and_counted() {
+pub(crate) fn l10_what_a_fixed_buffer_has_no_room_for_is_lost_and_counted() {
     let context = Context::headless().unwrap();
     let counts = [3, 8, 9, 20, 64, 100];
     let stack = row(&counts);
@@ -177,7 +177,7 @@ pub(crate) fn l11_complexities_of_255_and_more_share_the_last_segment_and_none_i
 /// the same segment": eight bits and INCR, as printed. It holds if the last segment is one of 256, whose reference OpenGL
 /// clamps to 255. What is past 256 is lost without ppDP.
 #[test]
-fn l11_eight_bits_leave_255_and_more_to_the_last_segment_as_printed() {
+pub(crate) fn l11_eight_bits_leave_255_and_more_to_the_last_segment_as_printed() {
     let context = Context::headless().unwrap();
     let counts = [254, 255, 256, 257, 280];
     let stack = row(&counts);

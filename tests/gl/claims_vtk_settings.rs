@@ -38,7 +38,7 @@ fn seven() -> Stack {
 
 /// "Set the maximum number of rendering passes (initial value is 4)": the image of four layers, the rest is left out.
 #[test]
-fn v01_vtk_s_initial_maximum_is_4_peels() {
+pub(crate) fn v01_vtk_s_initial_maximum_is_4_peels() {
     let context = Context::headless().unwrap();
     assert_eq!(VtkSettings::default().maximum_number_of_peels, 4);
     let settings = VtkSettings {
@@ -59,7 +59,7 @@ fn v01_vtk_s_initial_maximum_is_4_peels() {
 /// "Choose to use depth peeling (initial value is 0 (false))", "use a render window with alpha bits (as initial value is 0
 /// (false))": at first translucent geometry is blended as it comes.
 #[test]
-fn v10_depth_peeling_is_off_at_first_and_needs_alpha_bit_planes() {
+pub(crate) fn v10_depth_peeling_is_off_at_first_and_needs_alpha_bit_planes() {
     let context = Context::headless().unwrap();
     let first = VtkSettings::default();
     assert_eq!(
@@ -85,7 +85,7 @@ fn v10_depth_peeling_is_off_at_first_and_needs_alpha_bit_planes() {
 
 /// "Check if depth peeling was actually used": every answer that a caller can get, with its reason.
 #[test]
-fn v05_a_caller_can_ask_whether_depth_peeling_was_used_and_why_not() {
+pub(crate) fn v05_a_caller_can_ask_whether_depth_peeling_was_used_and_why_not() {
     let context = Context::headless().unwrap();
     let mut opaque = Stack {
         opaque: Some(500),
@@ -139,7 +139,7 @@ fn v05_a_caller_can_ask_whether_depth_peeling_was_used_and_why_not() {
 /// "In order to use rectangle textures in GLSL, we are supposed to used sampler2DRectShadow": every peel looks its shadow
 /// map up in a rectangle texture, by texels. The layers are those of a texture of two dimensions, to the last bit.
 #[test]
-fn v08_depth_peeling_through_rectangle_textures_gives_the_same_image() {
+pub(crate) fn v08_depth_peeling_through_rectangle_textures_gives_the_same_image() {
     let context = Context::headless().unwrap();
     for size in [[120, 90], [97, 61], [1, 33]] {
         let mut scene = soup_scene();

@@ -73,7 +73,7 @@ pub(crate) fn e08_with_one_word_changed_it_is_something_else() {
 /// Every step, left out of a state that is not OpenGL's initial one: the coordinates, the state or the calls' success change.
 /// What nobody can notice is named with its reason.
 #[test]
-fn e07_e08_every_step_of_listing_2_is_missed() {
+pub(crate) fn e07_e08_every_step_of_listing_2_is_missed() {
     let camera = camera(0.5, 50.0);
     let (view, projection) = (camera.view(), camera.projection(4, 3));
     let eye = view * points(3, 1)[0].extend(1.0);
@@ -254,7 +254,7 @@ pub(crate) fn e06_peeling_as_in_2001_without_depth_replace_mis_peels() {
 }
 
 #[test]
-fn e04_a_fragment_of_alpha_0_never_passes_the_alpha_test_and_nobody_misses_it() {
+pub(crate) fn e04_a_fragment_of_alpha_0_never_passes_the_alpha_test_and_nobody_misses_it() {
     let context = Context::headless().unwrap();
     let mut scene = soup_scene(31, [1.0, 20.0]);
     for vertex in scene.meshes[0].vertices.iter_mut().take(300) {

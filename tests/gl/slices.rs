@@ -33,7 +33,7 @@ fn render(context: &Context, scene: &Scene, method: &Method, slices: u32) -> Fra
 /// as a whole. So the image is the closed form's of a pane moved to the next border of a slab, at most d/2 away, exactly;
 /// and from the pane's own it differs by no more than the fog that has changed sides absorbs, times the pane's opacity.
 #[test]
-fn l16_slices_of_fog_and_a_pane_follow_the_closed_form() {
+pub(crate) fn l16_slices_of_fog_and_a_pane_follow_the_closed_form() {
     let context = Context::headless().unwrap();
     let sigma = f64::from(0.7_f32);
     let (mut worst, mut most) = (0.0_f64, 0.0_f64);
@@ -199,7 +199,7 @@ fn sorted_meshes_that_cross_the_slices_come_out_right() {
 
 /// Layer peeling takes an iteration for each of them.
 #[test]
-fn c04_layer_peeling_takes_an_iteration_a_slice() {
+pub(crate) fn c04_layer_peeling_takes_an_iteration_a_slice() {
     let context = Context::headless().unwrap();
     let layers = Method::LayerPeeling(Default::default());
     let scene = fog_and_pane(5.0, 0.3, 0.4, 0.5);
@@ -254,7 +254,7 @@ fn fused(context: &Context, scene: &Scene) -> Frame {
 
 /// Midpoints: where every ray passes whole slabs, twice as many take the error to a quarter.
 #[test]
-fn l16_slices_of_a_gradient_converge_with_the_square_of_their_number() {
+pub(crate) fn l16_slices_of_a_gradient_converge_with_the_square_of_their_number() {
     let context = Context::headless().unwrap();
     let mut scene = gradient();
     scene.volumes[0].step = 1.0 / 512.0;
@@ -272,7 +272,7 @@ fn l16_slices_of_a_gradient_converge_with_the_square_of_their_number() {
 /// Where rays enter and leave boxes in the middle of a slab, and surfaces stand in it, half a slab at the most is on the
 /// wrong side: the error of the image falls with the number itself.
 #[test]
-fn l16_slices_converge_to_the_fused_image_of_random_scenes() {
+pub(crate) fn l16_slices_converge_to_the_fused_image_of_random_scenes() {
     let context = Context::headless().unwrap();
     let mut scenes: Vec<Scene> = (0..8).map(random_scene).collect();
     for volume in scenes.iter_mut().flat_map(|scene| &mut scene.volumes) {

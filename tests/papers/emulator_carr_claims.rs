@@ -103,7 +103,7 @@ pub(crate) fn c15_an_iteration_peels_at_most_128_surfaces_and_loses_none() {
 /// "This process is repeated until no surfaces remain to be peeled. We can detect when this occurs using occlusion queries
 /// during the compositing phase": every iteration but the last composites something.
 #[test]
-fn c16_the_loop_stops_when_the_compositing_phase_draws_nothing() {
+pub(crate) fn c16_the_loop_stops_when_the_compositing_phase_draws_nothing() {
     const NO_STOP: Amendment = changed(
         steps! { stop if (found == 0) because EmptyLayer; },
         steps! {},

@@ -31,7 +31,7 @@ fn first_iteration(
 
 /// "Both pass 1 and 2 can be replaced by a single pass bringing the total count to five."
 #[test]
-fn c17_one_pass_of_float_blending_finds_what_passes_1_and_2_find() {
+pub(crate) fn c17_one_pass_of_float_blending_finds_what_passes_1_and_2_find() {
     for pixels in [
         random_image(1),
         random_image(8),
@@ -51,7 +51,7 @@ fn c17_one_pass_of_float_blending_finds_what_passes_1_and_2_find() {
 /// "Store the depth of the surface that was previously closest to the camera": past 255 descending surfaces the stencil
 /// cannot, and the blending pass still does.
 #[test]
-fn c17_the_blending_pass_does_not_overflow() {
+pub(crate) fn c17_the_blending_pass_does_not_overflow() {
     let pixels = vec![pixel((0..300).rev().map(|k| depth_of(k, 300)))];
     let previous = |which: Loop| first_iteration(which, &pixels, &which.amendments()).0[0][1];
     assert_eq!(previous(Loop::B), depth_of(1, 300));
@@ -61,7 +61,7 @@ fn c17_the_blending_pass_does_not_overflow() {
 /// "A blend method that multiplies the source color by the destination alpha" moves the last depth into the color. The
 /// printed factors multiply the destination color by it: the color becomes the product of all earlier depths.
 #[test]
-fn c18_the_sentence_moves_one_depth_and_the_printed_factors_multiply_all() {
+pub(crate) fn c18_the_sentence_moves_one_depth_and_the_printed_factors_multiply_all() {
     let mut differ = 0;
     for n in 1..=12 {
         let depths: Vec<f32> = (0..n).rev().map(|k| depth_of(k, n)).collect();

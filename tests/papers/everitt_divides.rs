@@ -81,7 +81,7 @@ fn cost(side: impl Fn([Clip; 2], f32) -> Counted) -> [u32; 2] {
 /// Three quantities, as the paper counts, and one. Of the four divides three are in the equation; a fourth is there if the
 /// other coordinates of the lookup are divided, too, by one reciprocal of q.
 #[test]
-fn e15_the_left_side_interpolates_three_quantities_and_divides_three_times() {
+pub(crate) fn e15_the_left_side_interpolates_three_quantities_and_divides_three_times() {
     assert_eq!(cost(quotient), [3, 3]);
     assert_eq!(cost(window_z), [1, 0]);
     let with_a_reciprocal = |ends, t| {
@@ -97,7 +97,7 @@ fn e15_the_left_side_interpolates_three_quantities_and_divides_three_times() {
 /// What they cost: the two sides differ in their last bits. Depth replace saves a depth from that, because it stores the
 /// quotient, too (`e07_with_depth_replace_every_pixel_left_over_is_a_tie_or_beyond_the_far_plane`).
 #[test]
-fn e15_the_divides_cost_the_last_bits() {
+pub(crate) fn e15_the_divides_cost_the_last_bits() {
     let mut differ = 0;
     let mut largest = 0.0_f32;
     for n in 0..1000_u16 {

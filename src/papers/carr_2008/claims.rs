@@ -7,7 +7,9 @@ claims! {
         figures: [("iterations for n layers", "n", "n + 1")],
         evidence: "12 and 22 layers take 13 and 23 iterations, because one has to find nothing. Each draws the scene \
                    twice, the last once. The fragments themselves are not counted.",
-        tests: [gl::claims_carr::c01_layer_peeling_takes_as_many_iterations_as_the_deepest_pixel_has_layers],
+        tests: [
+            gl::claims_carr_work::c01_layer_peeling_s_work_grows_with_the_square_of_the_layers,
+            gl::claims_carr::c01_layer_peeling_takes_as_many_iterations_as_the_deepest_pixel_has_layers],
     }
     C02 ("section 3, Algorithm 1") Amended {
         claim: "Hybrid layer peeling composites sorted and unsorted geometry together. Its iterations depend on the \
@@ -35,6 +37,31 @@ claims! {
         tests: [
             gl::claims_carr::c03_figure_1_takes_3_iterations_instead_of_257,
             gl::slices::c03_figure_1_with_a_volume_takes_3_iterations_instead_of_259,
+        ],
+    }
+    C04 ("section 8, figure 3") Contradicted {
+        claim: "Iterations grow linearly with the slices for layer peeling, and stay constant for hybrid and coherent layer peeling.",
+        figures: [
+            ("coherent layer peeling at 64, 128, 192, 256, 512 slices", "constant", "6, 6, 6, 7, 9 iterations"),
+        ],
+        evidence: "Layer peeling takes 3 iterations more than there are slices, hybrid layer peeling 3. Coherent layer peeling is constant up to 192 slices. Then the 128 surfaces show that an iteration counts at most.",
+        tests: [
+            gl::claims_carr_work::c04_c27_past_192_slices_the_128_an_iteration_show,
+            gl::claims_carr_work::c04_too_few_buckets_cost_an_iteration_a_bucket_and_the_scene_s_own_number_none,
+            gl::claims_carr::c04_iterations_grow_with_the_slices_for_layer_peeling_only,
+            gl::slices::c04_layer_peeling_takes_an_iteration_a_slice,
+        ],
+    }
+    C05 ("section 8") InKind {
+        claim: "At 256 slices hybrid layer peeling is 52 times as fast as layer peeling, and coherent layer peeling slower than hybrid by a constant factor.",
+        figures: [
+            ("layer peeling over hybrid, 256 slices", "52 (time)", "172 (fragments)"),
+            ("coherent A over hybrid, 256 slices", "about 6 (time)", "14.0 (fragments)"),
+            ("coherent B over hybrid, 256 slices", "about 6 (time)", "11.6 (fragments)"),
+        ],
+        evidence: "Counted in rasterised fragments, not in time. The factor over layer peeling grows with the slices; coherent layer peeling takes 12 times as many fragments as hybrid at 64 and 128 slices.",
+        tests: [
+            gl::claims_carr_work::c05_at_256_slices_hybrid_draws_over_52_times_fewer_fragments_and_coherent_6_times_more_than_hybrid,
         ],
     }
     C06 ("section 4, steps 1 and 2") Amended {
@@ -140,6 +167,32 @@ claims! {
                    5. None is lost.",
         tests: [papers::emulator_carr_claims::c15_an_iteration_peels_at_most_128_surfaces_and_loses_none],
     }
+    C16 ("section 5.2") Amended {
+        claim: "The loop stops by occlusion queries in the compositing phase.",
+        evidence: "Each iteration but the last composites something, and without the stop the loop goes on for ever. The query has to count passes 5 and 6: pass 5 alone ends the loop too early where surfaces tie.",
+        tests: [
+            papers::emulator_carr_claims::c16_the_loop_stops_when_the_compositing_phase_draws_nothing,
+            papers::emulator_carr_errata::x10_counting_pass_5_alone_ends_the_loop_too_early,
+        ],
+    }
+    C17 ("section 6") Amended {
+        claim: "One pass of float blending replaces passes 1 and 2, and an iteration has five passes.",
+        figures: [
+            ("geometry passes an iteration", "5", "5"),
+        ],
+        evidence: "With the factors that the sentence describes, D(sn) and z_min_prev are those of passes 1 and 2 on random and on tied surfaces, in five passes instead of six. Past 255 descending surfaces it is better, because nothing overflows.",
+        tests: [
+            papers::emulator_section_6::c17_one_pass_of_float_blending_finds_what_passes_1_and_2_find,
+            papers::emulator_section_6::c17_the_blending_pass_does_not_overflow,
+        ],
+    }
+    C18 ("section 6") Contradicted {
+        claim: "The printed blend factors multiply the source color by the destination alpha.",
+        evidence: "They multiply the destination color by it: the color becomes the product of all earlier depths. That is right for up to two surfaces that lower the depth.",
+        tests: [
+            papers::emulator_section_6::c18_the_sentence_moves_one_depth_and_the_printed_factors_multiply_all,
+        ],
+    }
     C19 ("section 7, Algorithm 2") Amended {
         claim: "On an ideal GPU an iteration takes two geometry passes, and the worst case is that of layer peeling.",
         figures: [("geometry passes an iteration", "2", "2")],
@@ -169,7 +222,9 @@ claims! {
         evidence: "A molecule takes 29 iterations by layer peeling and 5 by variant A, knots 13 and 4, a teapot 7 \
                    and 3. Times are not part of a test: on a software renderer they would say nothing of the paper's \
                    GPU.",
-        tests: [gl::claims_carr::c21_coherent_peeling_takes_several_times_fewer_iterations_on_sorted_models],
+        tests: [
+            gl::claims_carr_table_1::c20_c21_table_1_on_the_meshes_at_hand,
+            gl::claims_carr::c21_coherent_peeling_takes_several_times_fewer_iterations_on_sorted_models],
     }
     C22 ("section 5.1") Amended {
         claim: "The opaque depth bounds the range: nothing behind it is counted or composited.",
@@ -193,5 +248,35 @@ claims! {
         evidence: "In opposite order the stencil overflows and the iterations are many (C14). Sorted, the same \
                    layers do not come near it.",
         tests: [papers::emulator_carr_claims::c24_sorting_beforehand_removes_the_overflow],
+    }
+    C25 ("sections 2 and 9") Reproduced {
+        claim: "Batches of a fixed size by depth make the work linear in many cases, if they do not overlap much.",
+        figures: [
+            ("triangles drawn for 32, 64, 128 sheets", "linear", "2100, 3828, 8256"),
+        ],
+        evidence: "With batches of 8 sheets, four times as many sheets are 3.9 times the triangles, and without batches 14.5 times. In a soup, whose triangles reach into many batches, 64 batches cost more than three times the triangles.",
+        tests: [
+            gl::claims_carr_work::c25_batches_of_a_fixed_size_make_the_work_linear,
+            gl::claims_carr_work::c25_batches_that_overlap_draw_triangles_again,
+        ],
+    }
+    C26 ("sections 4 and 9") Reproduced {
+        claim: "Culling by depth is a possible gain, and a sort may be kept as the camera moves and updated periodically.",
+        evidence: "Culling what lies before D(sc) leaves 43% to 47% of the triangles of three scenes, the same image, and the same iterations. A sort that is five degrees old costs none.",
+        tests: [
+            gl::claims_carr_work::c26_culling_what_is_finished_saves_triangles_and_changes_nothing_else,
+            gl::claims_carr_work::c26_with_culling_the_empty_iteration_draws_nothing,
+            gl::claims_carr_work::c26_a_sort_that_is_kept_stays_good_for_some_degrees,
+        ],
+    }
+    C27 ("section 8, figure 3") InKind {
+        claim: "Figure 3 plots the number of peels and the times of the methods up to 256 slices.",
+        figures: [
+            ("layer, hybrid and coherent layer peeling at 256 slices", "257, 3 iterations", "259, 3, 7 iterations"),
+        ],
+        evidence: "The table goes to 512 slices. The example 24_figure_3 prints it and plots it with the times.",
+        tests: [
+            gl::claims_carr_work::c04_c27_past_192_slices_the_128_an_iteration_show,
+        ],
     }
 }

@@ -95,6 +95,7 @@ claims! {
                    to a few last bits. The listing alone would not do it: what it leaves out or overrides is in EX01 \
                    to EX03, and the emulation supplies it.",
         tests: [
+            gl::classic_listing_2::e07_e08_every_step_of_listing_2_is_missed,
             gl::classic_listing_2::e08_listing_2_prints_as_the_paper_has_it,
             gl::classic_listing_2::e08_the_dot_products_are_homogeneous_window_z_and_w,
             gl::classic_listing_2::e08_listing_2_runs_and_stores_window_z,
@@ -119,6 +120,7 @@ claims! {
         evidence: "The bundled teapot is another one, and so is its camera. Layers 0 to 2 have the colours that the \
                    text names, and the samples become fewer from layer to layer. Layer 3 is held to nothing else.",
         tests: [
+            gl::claims_everitt::e10_layer_3_is_a_part_of_layer_2_s_shape,
             gl::claims_everitt::e10_samples_decrease_from_layer_to_layer,
             gl::claims_everitt::e10_layer_0_shows_the_teapot_s_outside_before_the_plane,
             gl::claims_everitt::e10_layer_1_shows_the_teapot_s_inside,
@@ -156,10 +158,31 @@ claims! {
                    error that one leaves, but not less than a step of 8 bits; four do. A molecule needs more than \
                    four.",
         tests: [
+            gl::claims_everitt_compositing::e13_an_error_below_a_step_of_8_bits_takes_four_layers,
             gl::claims_everitt_compositing::e13_each_further_layer_brings_the_image_nearer_to_the_exact_one,
             gl::claims_everitt_compositing::e13_three_layers_are_good_enough,
             gl::claims_everitt_compositing::e13_what_the_layers_do_not_hold_is_counted_as_lost,
             gl::accumulation::e13_three_layers_in_numbers,
+        ],
+    }
+    E14 ("Shadow Mapping, figure 2") Reproduced {
+        claim: "A fragment that is not behind the depths of a light is lit, others are in shadow. The map of the camera is the special case of peeling.",
+        evidence: "At every pixel that is farther from a shadow edge than a texel reaches, the comparison says what a ray to the light says. It needs a bias, which the camera as light does not but for last bits.",
+        tests: [
+            gl::claims_everitt_shadows::e14_a_light_s_own_depth_map_throws_the_shadows_that_rays_find,
+            gl::claims_everitt_shadows::e14_without_a_bias_lit_surfaces_shadow_themselves,
+            gl::claims_everitt_shadows::e14_the_camera_s_own_map_is_the_special_case,
+        ],
+    }
+    E15 ("An Invariance Issue, equation 4") InKind {
+        claim: "The left side of the comparison interpolates three quantities and performs four divides, the right side interpolates one.",
+        figures: [
+            ("quantities and divides, left side", "3 and 4", "3 and 3"),
+        ],
+        evidence: "The equations are pictures; they are rebuilt from the sentences about them. Three quantities are counted, and three divides: a fourth is a reciprocal of q for the other coordinates. A third of the results differ in their last bit.",
+        tests: [
+            papers::everitt_divides::e15_the_left_side_interpolates_three_quantities_and_divides_three_times,
+            papers::everitt_divides::e15_the_divides_cost_the_last_bits,
         ],
     }
 }

@@ -7,6 +7,7 @@ claims! {
         evidence: "The loop stops after n peels, the image is that of the n nearest layers, and what the limit \
                    leaves out is counted. The default differs on purpose: four peels lose layers of most scenes.",
         tests: [
+            gl::claims_vtk_settings::v01_vtk_s_initial_maximum_is_4_peels,
             gl::claims_vtk::v01_the_loop_ends_after_the_maximum_number_of_peels,
             gl::claims_vtk::v01_the_image_of_n_peels_is_that_of_the_n_nearest_layers,
             gl::claims_vtk::v01_what_the_limit_leaves_out_is_counted,
@@ -52,6 +53,7 @@ claims! {
         evidence: "Every frame says that it was, or why it was not: nothing is transparent, or another method was \
                    asked for.",
         tests: [
+            gl::claims_vtk_settings::v05_a_caller_can_ask_whether_depth_peeling_was_used_and_why_not,
             gl::claims_vtk_layers::v05_a_frame_says_that_depth_peeling_was_used,
             gl::claims_vtk_layers::v05_a_frame_without_anything_transparent_says_why_it_was_not,
             gl::claims_vtk_layers::v05_a_frame_of_another_method_says_why_it_was_not,
@@ -85,7 +87,9 @@ claims! {
         claim: "Shadow lookups go through a rectangle texture.",
         evidence: "A rectangle texture gives what a 2D texture gives, pixel for pixel. The methods here look up 2D \
                    textures of any size, which OpenGL has had since 2.0, so no peel goes through a rectangle.",
-        tests: [gl::classic_fixed_function::v08_a_rectangle_texture_gives_what_a_texture_of_2d_gives],
+        tests: [
+            gl::claims_vtk_settings::v08_depth_peeling_through_rectangle_textures_gives_the_same_image,
+            gl::classic_fixed_function::v08_a_rectangle_texture_gives_what_a_texture_of_2d_gives],
     }
     V09 ("Required OpenGL extensions") Reproduced {
         claim: "Ten extensions are required.",
@@ -98,6 +102,13 @@ claims! {
             papers::vtk_requirements::v09_an_old_driver_lacks_what_it_does_not_name,
             papers::vtk_requirements::v09_either_of_two_names_will_do,
             papers::vtk_requirements::v09_with_nothing_at_all_every_one_is_listed_in_the_page_s_order,
+        ],
+    }
+    V10 ("VTK calls") Reproduced {
+        claim: "Depth peeling is off at first, and so are the alpha bit planes that it needs.",
+        evidence: "With either switch off, the image is that of blending in the order of submission, and the frame says why.",
+        tests: [
+            gl::claims_vtk_settings::v10_depth_peeling_is_off_at_first_and_needs_alpha_bit_planes,
         ],
     }
 }
