@@ -48,7 +48,12 @@ impl Algorithm for ExactImage {
             },
             depth_buffer(&self.setup.given, size, self.setup.depth),
         ];
-        if !machine.context().driver().quirks().interpolates_true_corners {
+        if !machine
+            .context()
+            .driver()
+            .quirks()
+            .interpolates_true_corners
+        {
             self.buffers = self.buffers.map(DepthBuffer::with_snapped_corners);
         }
         Ok(())

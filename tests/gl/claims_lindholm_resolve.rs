@@ -3,7 +3,7 @@
 
 use crate::kit::bounds::F32;
 use onionskin::generate::SubmissionOrder;
-use onionskin::options::{ABufferOptions, Fill, Manager};
+use onionskin::options::{ABufferOptions, Fill, Manager, Reading};
 use onionskin::{Comparison, Context, CountBy, Method, Renderer};
 
 use crate::kit::a_buffer::*;
@@ -48,7 +48,11 @@ pub(crate) fn l10_the_fill_counts_and_no_geometry_pass_is_added() {
     let mut renderer = Renderer::new(&context, 160, 120).unwrap();
     let deepest = renderer.complexity(&scene, CountBy::Blending).unwrap();
     let exact = renderer.render(&scene, &Method::Exact).unwrap().image;
-    for (pp_ao, reading) in [(false, Reading::Amended), (true, Reading::Amended), (true, Reading::AsPrinted)] {
+    for (pp_ao, reading) in [
+        (false, Reading::Amended),
+        (true, Reading::Amended),
+        (true, Reading::AsPrinted),
+    ] {
         for fill in [Fill::Atomics, Fill::Automatic] {
             let options = ABufferOptions {
                 manager: Manager::Ffb,
@@ -84,7 +88,11 @@ pub(crate) fn l10_the_counting_pass_is_the_memory_manager_s_and_not_pp_ao_s() {
     let scene = bundled("soup.toml", [160, 120]);
     let mut renderer = Renderer::new(&context, 160, 120).unwrap();
     for manager in MANAGERS {
-        for (pp_ao, reading) in [(false, Reading::Amended), (true, Reading::Amended), (true, Reading::AsPrinted)] {
+        for (pp_ao, reading) in [
+            (false, Reading::Amended),
+            (true, Reading::Amended),
+            (true, Reading::AsPrinted),
+        ] {
             let options = ABufferOptions {
                 manager,
                 pp_ao,
@@ -185,7 +193,7 @@ pub(crate) fn l11_eight_bits_leave_255_and_more_to_the_last_segment_as_printed()
     let options = ABufferOptions {
         pp_ao: true,
         array: 256,
-        as_printed: true,
+        reading: Reading::AsPrinted,
         ..options()
     };
     let (frame, cost) = render(&mut renderer, &stack.scene(), options);
@@ -207,7 +215,7 @@ pub(crate) fn l11_as_printed_the_stencil_loses_what_lies_past_the_last_segment()
         let options = ABufferOptions {
             pp_ao: true,
             pp_dp,
-            reading: onionskin::options::Reading::AsPrinted,
+            reading: Reading::AsPrinted,
             ..options()
         };
         let (frame, _) = render(&mut renderer, &stack.scene(), options);
@@ -225,7 +233,7 @@ pub(crate) fn l07_as_printed_pixels_are_resolved_twice() {
     let printed = ABufferOptions {
         pp_ao: true,
         array: 256,
-        reading: onionskin::options::Reading::AsPrinted,
+        reading: Reading::AsPrinted,
         ..options()
     };
     let (frame, cost) = render(&mut renderer, &stack.scene(), printed);
@@ -234,7 +242,7 @@ pub(crate) fn l07_as_printed_pixels_are_resolved_twice() {
     let error = Comparison::new(&frame.image, &stack.expected(), F32).unwrap();
     assert!(error.over > 0, "blended twice: {error:?}");
     let amended = ABufferOptions {
-        reading: onionskin::options::Reading::Amended,
+        reading: Reading::Amended,
         ..printed
     };
     let (frame, cost) = render(&mut renderer, &stack.scene(), amended);
@@ -283,7 +291,7 @@ pub(crate) fn l13_as_printed_ties_are_lost_where_a_buffer_ends_and_amended_none(
             let scene = stack.scene();
             let printed = ABufferOptions {
                 pp_dp: true,
-                reading: onionskin::options::Reading::AsPrinted,
+                reading: Reading::AsPrinted,
                 ..options()
             };
             let (frame, cost) = render(&mut renderer, &scene, printed);
@@ -302,7 +310,7 @@ pub(crate) fn l13_as_printed_ties_are_lost_where_a_buffer_ends_and_amended_none(
             lost_in_all += expected.0;
 
             let amended = ABufferOptions {
-                reading: onionskin::options::Reading::Amended,
+                reading: Reading::Amended,
                 ..printed
             };
             let (frame, _) = render(&mut renderer, &scene, amended);
