@@ -12,6 +12,7 @@ use crate::fragment::Rgba;
 
 /// The meaning of the numbers of an 8-bit picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Encoding {
     /// The linear values as they are. This is VTK's convention, so that pictures can be compared.
     #[default]

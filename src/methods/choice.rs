@@ -8,6 +8,7 @@ use crate::words::{self, Words};
 
 /// An option of a method, as it is described to people.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Choice {
     /// The option's name, in small letters and hyphens: `occlusion-ratio`.
     pub name: &'static str,
@@ -17,7 +18,7 @@ pub struct Choice {
     pub help: &'static str,
 }
 
-/// The values of an option.
+/// The values of an option. Who offers options handles every kind, so a new kind is meant to break the match.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Takes {
     /// No value: the option is given or not.

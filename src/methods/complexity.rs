@@ -16,6 +16,7 @@ use crate::words::words;
 
 /// The way to count fragments. On llvmpipe the fixed function is over ten times as fast as atomics.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum CountBy {
     /// Additive blending into a 32-bit float: exact up to 2^24.
     #[default]

@@ -6,6 +6,7 @@ use crate::gl::Driver;
 
 /// The facts about a method that are known before it runs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Entry {
     /// The method's name on the command line.
     pub name: &'static str,
@@ -29,6 +30,22 @@ pub struct Entry {
 }
 
 impl Entry {
+    /// An entry of a method of one's own, whose fields can then be set: it is not exact, has fragments of equal depth in
+    /// the order of submission, takes memory for pixels, refuses volumes, and needs no extension.
+    pub const fn new(name: &'static str, source: &'static str) -> Self {
+        Self {
+            name,
+            source,
+            exact: false,
+            exactness: "no",
+            ties: Ties::InOrder,
+            memory: Memory::Pixels,
+            volumes: Volumes::Refused,
+            keeps: None,
+            needs: &[],
+        }
+    }
+
     /// Whether the method runs on a driver.
     pub fn runs_on(&self, driver: &Driver) -> bool {
         self.needs.is_empty() || self.needs.iter().any(|extension| driver.has(extension))
@@ -113,6 +130,7 @@ impl fmt::Display for Memory {
 
 /// Whether and how a method renders volumes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Volumes {
     /// Not at all: scenes with volumes are refused.
     Refused,

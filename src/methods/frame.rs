@@ -6,6 +6,7 @@ use crate::image::Image;
 
 /// An image and its facts.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Frame {
     /// The image.
     pub image: Image,
@@ -22,6 +23,7 @@ pub struct Frame {
 
 /// A peeled layer.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Layer {
     /// The colours, with straight alpha. All channels are 0 at a pixel without a fragment of the layer.
     pub color: Image,

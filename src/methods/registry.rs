@@ -189,6 +189,7 @@ pub fn methods_with(option: &str) -> Vec<&'static str> {
 
 /// A row of the registry: a method with its default options, and its facts.
 #[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
 pub struct Listed {
     /// The method.
     pub method: Method,

@@ -6,6 +6,7 @@ use crate::steps::Reason;
 
 /// The statistics of a frame. Everything but `ms` is a count, and is the same in every run.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Stats {
     /// The method's name.
     pub method: String,
@@ -44,6 +45,7 @@ pub struct Stats {
 
 /// The costs of an A-buffer. They do not depend on the machine.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct ABufferCounts {
     /// The number of bands in which the image was rendered.
     pub bands: u32,
@@ -69,6 +71,7 @@ pub struct ABufferCounts {
 
 /// The answer to VTK's question "was depth peeling actually used", with its reason.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Peeling {
     /// It was.
     Used,

@@ -15,7 +15,7 @@ use crate::error::Result;
 ///
 /// ```
 /// use onionskin::low_level::gl::GlMachine;
-/// use onionskin::low_level::methods::{Algorithm, Drawn, Memory, Setup, Technique, Ties, Volumes};
+/// use onionskin::low_level::methods::{Algorithm, Drawn, Setup, Technique, Ties};
 /// use onionskin::low_level::papers::stage::OPAQUE_FIRST;
 /// use onionskin::low_level::steps::{Dialect, Listing, Shader, Variables, gl::*, run};
 /// use onionskin::{Context, Entry, Renderer, Result, Scene, generate, steps};
@@ -50,17 +50,12 @@ use crate::error::Result;
 ///
 /// impl Technique for Glow {
 ///     fn entry(&self) -> &'static Entry {
-///         &Entry {
-///             name: "glow",
-///             source: "my renderer",
-///             exact: false,
-///             exactness: "no",
-///             ties: Ties::Unordered,
-///             memory: Memory::Pixels,
-///             volumes: Volumes::Refused,
-///             keeps: None,
-///             needs: &[],
-///         }
+///         const ENTRY: Entry = {
+///             let mut entry = Entry::new("glow", "my renderer");
+///             entry.ties = Ties::Unordered;
+///             entry
+///         };
+///         &ENTRY
 ///     }
 ///
 ///     fn algorithm(&self, _: &Setup) -> Box<dyn Algorithm> {

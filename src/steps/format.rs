@@ -4,6 +4,7 @@ use crate::words::words;
 
 /// The format of a map's texels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub enum Format {
     /// Four bytes, each 0 to 1 in 256 steps.
     Rgba8,

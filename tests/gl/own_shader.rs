@@ -2,7 +2,7 @@
 
 use onionskin::low_level::gl::{GlMachine, shader_file};
 use onionskin::low_level::methods::{
-    Algorithm, DepthPeelingOptions, Drawn, Entry, Memory, Setup, Technique, Ties, Volumes,
+    Algorithm, DepthPeelingOptions, Drawn, Entry, Setup, Technique, Ties,
 };
 use onionskin::low_level::papers::stage;
 use onionskin::low_level::scene::generate::{Quads, quads};
@@ -56,17 +56,12 @@ const DRAW: Listing = Listing {
 
 impl Technique for Mine {
     fn entry(&self) -> &'static Entry {
-        &Entry {
-            name: "mine",
-            source: "a test",
-            exact: false,
-            exactness: "no",
-            ties: Ties::OverEarlier,
-            memory: Memory::Pixels,
-            volumes: Volumes::Refused,
-            keeps: None,
-            needs: &[],
-        }
+        const ENTRY: Entry = {
+            let mut entry = Entry::new("mine", "a test");
+            entry.ties = Ties::OverEarlier;
+            entry
+        };
+        &ENTRY
     }
 
     fn algorithm(&self, _: &Setup) -> Box<dyn Algorithm> {

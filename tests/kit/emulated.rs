@@ -163,9 +163,7 @@ pub fn on_gl(context: &Context, scene: &Scene, manager: Manager, peel: Option<u3
 
 /// How far the two are apart, less what the rasteriser may move the boxes by.
 pub fn apart(frame: &Frame, emulated: Image, scene: &Scene) -> f64 {
-    let emulated = Frame {
-        image: emulated,
-        ..frame.clone()
-    };
-    slack::compare(frame, &emulated, scene).1
+    let mut other = frame.clone();
+    other.image = emulated;
+    slack::compare(frame, &other, scene).1
 }

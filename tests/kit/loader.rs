@@ -13,6 +13,7 @@ pub fn function(backend: Backend, name: &str) -> *const c_void {
     let (libraries, look_up) = match backend {
         Backend::Egl => (["libEGL.so.1", "libEGL.so"], "eglGetProcAddress"),
         Backend::OsMesa => (["libOSMesa.so.8", "libOSMesa.so"], "OSMesaGetProcAddress"),
+        _ => panic!("no library is known for {backend}"),
     };
     let name = CString::new(name).expect("a name without zeros");
     // SAFETY: the library is loaded already, and stays; both look-ups have this signature.

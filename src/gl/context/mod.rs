@@ -38,6 +38,7 @@ const BACKEND_VARIABLE: &str = "ONIONSKIN_BACKEND";
 
 /// A backend, by which OpenGL is reached.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Backend {
     /// libEGL, surfaceless platform first, then each EGL device.
     Egl,
