@@ -70,7 +70,7 @@ pub(crate) fn c19_the_ideal_gpu_by_images_gives_the_same_image() {
 }
 
 #[test]
-fn batches_give_the_same_image_in_fewer_iterations_each() {
+pub(crate) fn batches_give_the_same_image_in_fewer_iterations_each() {
     let context = Context::headless().unwrap();
     let mut scene = Scene::of("knot", vec![torus_knot(&TorusKnot::default()).unwrap()]);
     scene.size = [120, 90];

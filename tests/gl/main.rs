@@ -45,6 +45,7 @@ mod exact;
 mod exact_depth;
 mod exact_measures;
 mod figure_2;
+mod figure_3;
 mod four_scenes;
 mod fused;
 mod fused_as_printed;

@@ -45,16 +45,12 @@ fn every_amendment_of_every_text_is_among_those_that_are_held_against_the_tests(
     }
 }
 
-/// Tests of claims whose row is still open (`papers/claims_and_errata.rs`).
-const OPEN: [&str; 1] = ["batches_give_the_same_image_in_fewer_iterations_each"];
-
 /// The names of tests, without their modules.
 fn existing() -> BTreeSet<String> {
     let cited = cited().into_iter().map(str::to_owned);
     let paths = compiled().into_iter().chain(cited);
     let name = |path: String| path.rsplit("::").next().unwrap().to_owned();
-    let open = OPEN.map(str::to_owned);
-    paths.map(name).chain(open).collect()
+    paths.map(name).collect()
 }
 
 /// The tests that the amendments in the sources name.

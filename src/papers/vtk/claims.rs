@@ -1,17 +1,17 @@
 //! What the page claims, and what running it has shown.
 
 claims! {
-    V01 ("VTK calls") InKind {
+    V01 ("VTK calls") Reproduced {
         claim: "Peeling stops after the user's largest number of passes, which is 4 if the user says nothing.",
-        figures: [("peels if nothing is said", "4", "no limit")],
+        figures: [("peels if nothing is said", "4", "4 by VTK's settings, no limit by the method")],
         evidence: "The loop stops after n peels, the image is that of the n nearest layers, and what the limit \
-                   leaves out is counted. The default differs on purpose: four peels lose layers of most scenes.",
+                   leaves out is counted. VTK's settings begin with 4. The method by itself has no limit, because \
+                   four peels lose layers of most scenes (VX02).",
         tests: [
-            gl::claims_vtk_settings::v01_vtk_s_initial_maximum_is_4_peels,
             gl::claims_vtk::v01_the_loop_ends_after_the_maximum_number_of_peels,
             gl::claims_vtk::v01_the_image_of_n_peels_is_that_of_the_n_nearest_layers,
             gl::claims_vtk::v01_what_the_limit_leaves_out_is_counted,
-            gl::claims_vtk::v01_a_maximum_of_0_is_no_limit,
+            gl::claims_vtk_settings::v01_vtk_s_initial_maximum_is_4_peels,
         ],
     }
     V02 ("introduction; Comments on references") Amended {
@@ -53,10 +53,10 @@ claims! {
         evidence: "Every frame says that it was, or why it was not: nothing is transparent, or another method was \
                    asked for.",
         tests: [
-            gl::claims_vtk_settings::v05_a_caller_can_ask_whether_depth_peeling_was_used_and_why_not,
             gl::claims_vtk_layers::v05_a_frame_says_that_depth_peeling_was_used,
             gl::claims_vtk_layers::v05_a_frame_without_anything_transparent_says_why_it_was_not,
             gl::claims_vtk_layers::v05_a_frame_of_another_method_says_why_it_was_not,
+            gl::claims_vtk_settings::v05_a_caller_can_ask_whether_depth_peeling_was_used_and_why_not,
         ],
     }
     V06 ("VTK changes") Reproduced {
@@ -83,13 +83,15 @@ claims! {
             gl::claims_vtk_requirements::v07_the_bits_are_those_that_opengl_counts,
         ],
     }
-    V08 ("Linux Nvidia driver") InKind {
+    V08 ("Linux Nvidia driver") Reproduced {
         claim: "Shadow lookups go through a rectangle texture.",
-        evidence: "A rectangle texture gives what a 2D texture gives, pixel for pixel. The methods here look up 2D \
-                   textures of any size, which OpenGL has had since 2.0, so no peel goes through a rectangle.",
+        evidence: "Peeled through rectangle textures, a scene has the layers that it has through 2D textures, to the \
+                   last bit, at three odd sizes. By default 2D textures of any size are looked up, which OpenGL has \
+                   had since 2.0.",
         tests: [
             gl::claims_vtk_settings::v08_depth_peeling_through_rectangle_textures_gives_the_same_image,
-            gl::classic_fixed_function::v08_a_rectangle_texture_gives_what_a_texture_of_2d_gives],
+            gl::classic_fixed_function::v08_a_rectangle_texture_gives_what_a_texture_of_2d_gives,
+        ],
     }
     V09 ("Required OpenGL extensions") Reproduced {
         claim: "Ten extensions are required.",
@@ -104,11 +106,10 @@ claims! {
             papers::vtk_requirements::v09_with_nothing_at_all_every_one_is_listed_in_the_page_s_order,
         ],
     }
-    V10 ("VTK calls") Reproduced {
-        claim: "Depth peeling is off at first, and so are the alpha bit planes that it needs.",
-        evidence: "With either switch off, the image is that of blending in the order of submission, and the frame says why.",
-        tests: [
-            gl::claims_vtk_settings::v10_depth_peeling_is_off_at_first_and_needs_alpha_bit_planes,
-        ],
+    V10 ("VTK calls, steps 1 and 2") Reproduced {
+        claim: "Depth peeling is off at first. The caller asks for alpha bit planes, and chooses it.",
+        evidence: "With VTK's initial settings, and with one of the two alone, a frame is blended as it comes. With \
+                   both it is peeled.",
+        tests: [gl::claims_vtk_settings::v10_depth_peeling_is_off_at_first_and_needs_alpha_bit_planes],
     }
 }
