@@ -3,6 +3,7 @@
 // many, the two farthest are merged. By default the nodes are the framebuffer's color maps, fetched in the order of
 // submission; each is written in any case, because drivers do not keep one that is only read. With IMAGES they are images,
 // loaded and stored between the two ends of an interlock.
+// defines: method
 
 #if IMAGES
 #include "common/interlock.glsl"

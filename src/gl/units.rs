@@ -8,6 +8,7 @@ use super::glsl::{Files, Source};
 use super::shaders;
 use crate::papers::carr_2008::ideal;
 use crate::papers::papers;
+use crate::papers::salvi_2014;
 use crate::papers::stage::OPAQUE_DEPTH;
 use crate::steps;
 use crate::steps::{
@@ -39,7 +40,7 @@ const BY_THE_MACHINE: [(&str, u32); 8] = [
 ];
 
 /// What a text's shaders declare and the text does not bind, with what does.
-const ELSEWHERE: [(&str, &[&str], &str); 6] = [
+const ELSEWHERE: [(&str, &[&str], &str); 8] = [
     (
         "carr/pass-6",
         &["lower", "opaque", "other_upper", "upper"],
@@ -54,7 +55,11 @@ const ELSEWHERE: [(&str, &[&str], &str); 6] = [
     ("lindholm/clear-and-fill", &["opaque"], RAYS),
     ("lindholm/resolve", &["Offsets", "opaque"], OFFSETS),
     ("lindholm/pp-ao", &["Offsets", "opaque"], OFFSETS),
+    ("salvi/four-nodes", &["node_images", "opaque"], IMAGES),
+    ("salvi/eight-nodes", &["node_images", "opaque"], IMAGES),
 ];
+const IMAGES: &str =
+    "FOUR_IMAGES or EIGHT_IMAGES, where images are used in place of framebuffer fetch";
 const RAYS: &str = "OPAQUE_ENDS_RAYS, where there are volumes or depths are 1/w";
 const OFFSETS: &str = "BEGIN_AT_OFFSETS in the Fill Step, and OPAQUE_ENDS_RAYS";
 
@@ -165,8 +170,14 @@ fn a_listing_binds_whatever_its_shaders_declare() {
         }
     }
     assert!(listings > 20, "{listings}");
-    let by_images = unbound(&ideal::IDEAL, &ideal::BY_IMAGES, &declarations);
-    assert!(by_images.is_empty(), "{by_images:?}");
+    for (listing, amendments) in [
+        (&ideal::IDEAL, &ideal::BY_IMAGES[..]),
+        (&salvi_2014::FOUR_NODES, &[salvi_2014::FOUR_IMAGES]),
+        (&salvi_2014::EIGHT_NODES, &[salvi_2014::EIGHT_IMAGES]),
+    ] {
+        let by_images = unbound(listing, amendments, &declarations);
+        assert!(by_images.is_empty(), "{by_images:?}");
+    }
 }
 
 #[test]
