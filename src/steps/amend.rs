@@ -240,7 +240,17 @@ impl<'a, S: Statement> Ahead<'a, S> {
             },
         };
         let repeated = amended.windows(printed.len()).position(|it| it == printed);
-        let Some(at) = repeated else {
+        // What an amendment from outside replaces stays in one piece.
+        let crosses = |at: usize| {
+            let ends = [at, at + printed.len()];
+            (0..amended.len()).any(|from| {
+                let covered = outer.at(&amended[from..]);
+                let covered = covered.and_then(|(outer, _)| outer.covers(&amended[from..]));
+                let to = from + covered.unwrap_or_default();
+                ends.iter().any(|&end| from < end && end < to)
+            })
+        };
+        let Some(at) = repeated.filter(|&at| !crosses(at)) else {
             return vec![ours(amended)];
         };
         let kept = Self {

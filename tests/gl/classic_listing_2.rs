@@ -47,14 +47,14 @@ pub(crate) fn e08_with_one_word_changed_it_is_something_else() {
     let (view, projection) = (camera.view(), camera.projection(4, 3));
     let eye = view * points(3, 1)[0].extend(1.0);
     let clip = projection * eye;
-    let dropped = |listing: &[onionskin::low_level::steps::Step], without: usize| {
+    let dropped = |listing: &[Step], without: usize| {
         let mut state = ClassicState::new(view, projection);
-        for (number, step) in listing.iter().enumerate() {
-            if let (true, onionskin::low_level::steps::Step::Call(Call::Classic(call))) =
-                (number != without, step)
-            {
-                state.perform(call).unwrap();
-            }
+        let calls = listing.iter().filter_map(|step| match step {
+            Step::Call(Call::Classic(call)) => Some(call),
+            _ => None,
+        });
+        for (_, call) in calls.enumerate().filter(|(number, _)| *number != without) {
+            state.perform(call).unwrap();
         }
         [1, 2].map(|unit| dot_product(&state, unit, eye))
     };
