@@ -14,13 +14,17 @@ use crate::kit::render::{example, render};
 
 const SIZE: [u32; 2] = [64, 48];
 /// Scenes of more would take minutes: what never ends draws them once for every layer.
-const MOST_TRIANGLES: usize = 40_000;
+const MOST_TRIANGLES: usize = 10_000;
 
 #[test]
 fn every_reading_of_every_method_ends_on_every_small_bundled_scene_and_says_why() {
     let context = Context::headless().expect("a context");
     let mut reasons: BTreeMap<String, usize> = BTreeMap::new();
     let mut scenes = 0;
+    // One for all scenes, because compiling takes longer than rendering.
+    let new = || Renderer::new(&context, SIZE[0], SIZE[1]).expect("a renderer");
+    let mut of_surfaces = new();
+    let mut of_volumes = new().with_slices(8).expect("so many slices");
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/scenes");
     for file in fs::read_dir(folder).expect("the bundled scenes") {
         let path = file.expect("a file").path();
@@ -34,10 +38,10 @@ fn every_reading_of_every_method_ends_on_every_small_bundled_scene_and_says_why(
             continue;
         }
         scenes += 1;
-        let mut renderer = Renderer::new(&context, SIZE[0], SIZE[1]).expect("a renderer");
-        if !scene.volumes.is_empty() {
-            renderer = renderer.with_slices(8).expect("so many slices");
-        }
+        let renderer = match scene.volumes.is_empty() {
+            true => &mut of_surfaces,
+            false => &mut of_volumes,
+        };
         let layers = renderer
             .complexity(&scene, CountBy::Blending)
             .expect("a count")
@@ -59,12 +63,16 @@ fn every_reading_of_every_method_ends_on_every_small_bundled_scene_and_says_why(
     }
     println!("{scenes} scenes: {reasons:#?}");
     assert!(scenes >= 5, "{scenes}");
-    // Some go on for ever, and are given up.
-    let given_up = |reading: Reading| {
-        let named = |it: &&String| it.starts_with(&format!("{} no end", reading.name()));
-        reasons.keys().filter(named).count()
-    };
-    assert!(given_up(Reading::Literal) > 0 && given_up(Reading::AsPrinted) > 0);
+    // None of these scenes has what makes a text go on for ever. That such a loop is given up, the errata's own tests show,
+    // such as x8's of a surface on the opaque one.
+    let endless: Vec<_> = reasons.keys().filter(|it| it.contains("no end")).collect();
+    assert!(endless.is_empty(), "{endless:?}");
+    let ended = |why: &str| reasons.keys().filter(|it| it.ends_with(why)).count();
+    assert_eq!(
+        [ended("empty layer"), ended("done")],
+        [2, 2],
+        "in both readings"
+    );
 }
 
 /// The method in the readings in which it may not end by itself.
