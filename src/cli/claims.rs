@@ -4,11 +4,10 @@ use std::process::ExitCode;
 
 use clap::Args;
 use onionskin::Result;
-use onionskin::low_level::papers::{Claim, Verdict};
+use onionskin::low_level::papers::{Claim, Paper, Verdict};
 use serde::Serialize;
 
-use super::ledger::{chosen, count, show};
-use super::output::print_json;
+use super::ledger::{Ledger, run};
 
 /// Say what the papers claim, and whether it is true
 ///
@@ -35,7 +34,7 @@ Examples:
   onionskin claims E13                                  one claim, with the tests that show it";
 
 #[derive(Serialize)]
-struct Record {
+pub(super) struct Record {
     key: &'static str,
     paper: &'static str,
     place: &'static str,
@@ -55,59 +54,60 @@ struct FigureRecord {
 
 impl Claims {
     pub(super) fn run(self) -> Result<ExitCode> {
-        let rows = chosen(
-            "claim",
-            |paper| paper.claims,
-            |claim| claim.key,
-            self.name.as_deref(),
-        )?;
-        if self.json {
-            for row in &rows {
-                print_json(&record(row.paper.key, row.row))?;
-            }
-            return Ok(ExitCode::SUCCESS);
-        }
-        show(&rows, cells, |claim| claim.tests)?;
-        let verdicts: Vec<_> = rows.iter().map(|row| row.row.verdict).collect();
-        count("claims", &verdicts, &Verdict::ALL)?;
-        Ok(ExitCode::SUCCESS)
+        run::<Claim>(self.name.as_deref(), self.json)
     }
 }
 
-fn cells(claim: &Claim) -> [String; 3] {
-    let figures = claim.figures.iter().map(|figure| {
-        let paper = figure.paper.map(|paper| format!("paper {paper}, "));
-        format!(
-            "{}: {}here {}\n",
-            figure.of,
-            paper.unwrap_or_default(),
-            figure.here
-        )
-    });
-    let text = format!(
-        "{} ({})\n{}\n{}",
-        claim.claim,
-        claim.place,
-        claim.evidence,
-        figures.collect::<String>()
-    );
-    [claim.key.into(), claim.verdict.to_string(), text]
-}
+impl Ledger for Claim {
+    const CALLED: [&'static str; 2] = ["claim", "claims"];
+    type Word = Verdict;
+    const WORDS: &'static [Verdict] = &Verdict::ALL;
+    type Record = Record;
 
-fn record(paper: &'static str, claim: &Claim) -> Record {
-    let figures = claim.figures.iter().map(|figure| FigureRecord {
-        of: figure.of,
-        paper: figure.paper,
-        here: figure.here,
-    });
-    Record {
-        key: claim.key,
-        paper,
-        place: claim.place,
-        claim: claim.claim,
-        verdict: claim.verdict.to_string(),
-        figures: figures.collect(),
-        evidence: claim.evidence,
-        tests: claim.tests,
+    fn of(paper: &Paper) -> &'static [Self] {
+        paper.claims
+    }
+
+    fn key(&self) -> &'static str {
+        self.key
+    }
+
+    fn word(&self) -> Verdict {
+        self.verdict
+    }
+
+    fn text(&self) -> String {
+        let figures = self.figures.iter().map(|figure| {
+            let paper = figure.paper.map(|paper| format!("paper {paper}, "));
+            let paper = paper.unwrap_or_default();
+            format!("{}: {paper}here {}\n", figure.of, figure.here)
+        });
+        let figures: String = figures.collect();
+        format!(
+            "{} ({})\n{}\n{figures}",
+            self.claim, self.place, self.evidence
+        )
+    }
+
+    fn tests(&self) -> &'static [&'static str] {
+        self.tests
+    }
+
+    fn record(&self, paper: &'static str) -> Record {
+        let figures = self.figures.iter().map(|figure| FigureRecord {
+            of: figure.of,
+            paper: figure.paper,
+            here: figure.here,
+        });
+        Record {
+            key: self.key,
+            paper,
+            place: self.place,
+            claim: self.claim,
+            verdict: self.verdict.to_string(),
+            figures: figures.collect(),
+            evidence: self.evidence,
+            tests: self.tests,
+        }
     }
 }

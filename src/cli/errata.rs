@@ -4,11 +4,10 @@ use std::process::ExitCode;
 
 use clap::Args;
 use onionskin::Result;
-use onionskin::low_level::papers::{Erratum, Fault};
+use onionskin::low_level::papers::{Erratum, Fault, Paper};
 use serde::Serialize;
 
-use super::ledger::{chosen, count, show};
-use super::output::print_json;
+use super::ledger::{Ledger, run};
 
 /// Say what is wrong or missing in the papers' print
 ///
@@ -34,7 +33,7 @@ Examples:
   onionskin errata CX16                                 one erratum, with the tests that show it";
 
 #[derive(Serialize)]
-struct Record {
+pub(super) struct Record {
     key: &'static str,
     paper: &'static str,
     place: &'static str,
@@ -47,42 +46,49 @@ struct Record {
 
 impl Errata {
     pub(super) fn run(self) -> Result<ExitCode> {
-        let rows = chosen(
-            "erratum",
-            |paper| paper.errata,
-            |erratum| erratum.key,
-            self.name.as_deref(),
-        )?;
-        if self.json {
-            for row in &rows {
-                print_json(&record(row.paper.key, row.row))?;
-            }
-            return Ok(ExitCode::SUCCESS);
-        }
-        show(&rows, cells, |erratum| erratum.tests)?;
-        let kinds: Vec<_> = rows.iter().map(|row| row.row.kind).collect();
-        count("errata", &kinds, &Fault::ALL)?;
-        Ok(ExitCode::SUCCESS)
+        run::<Erratum>(self.name.as_deref(), self.json)
     }
 }
 
-fn cells(erratum: &Erratum) -> [String; 3] {
-    let text = format!(
-        "Printed ({}): {}\nExecuted: {}\nChange: {}\n",
-        erratum.place, erratum.printed, erratum.executed, erratum.change
-    );
-    [erratum.key.into(), erratum.kind.to_string(), text]
-}
+impl Ledger for Erratum {
+    const CALLED: [&'static str; 2] = ["erratum", "errata"];
+    type Word = Fault;
+    const WORDS: &'static [Fault] = &Fault::ALL;
+    type Record = Record;
 
-fn record(paper: &'static str, erratum: &Erratum) -> Record {
-    Record {
-        key: erratum.key,
-        paper,
-        place: erratum.place,
-        kind: erratum.kind.to_string(),
-        printed: erratum.printed,
-        executed: erratum.executed,
-        change: erratum.change,
-        tests: erratum.tests,
+    fn of(paper: &Paper) -> &'static [Self] {
+        paper.errata
+    }
+
+    fn key(&self) -> &'static str {
+        self.key
+    }
+
+    fn word(&self) -> Fault {
+        self.kind
+    }
+
+    fn text(&self) -> String {
+        format!(
+            "Printed ({}): {}\nExecuted: {}\nChange: {}\n",
+            self.place, self.printed, self.executed, self.change
+        )
+    }
+
+    fn tests(&self) -> &'static [&'static str] {
+        self.tests
+    }
+
+    fn record(&self, paper: &'static str) -> Record {
+        Record {
+            key: self.key,
+            paper,
+            place: self.place,
+            kind: self.kind.to_string(),
+            printed: self.printed,
+            executed: self.executed,
+            change: self.change,
+            tests: self.tests,
+        }
     }
 }

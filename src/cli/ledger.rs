@@ -1,44 +1,72 @@
 //! What `claims` and `errata` share: the rows that a name chooses, and how they are laid out.
 
+use std::fmt::Display;
+use std::process::ExitCode;
+
 use comfy_table::{ColumnConstraint, ContentArrangement, Table, Width, presets};
 use onionskin::low_level::error::did_you_mean;
 use onionskin::low_level::papers::{Paper, papers};
 use onionskin::{Error, Result};
+use serde::Serialize;
 
-use super::output::say;
+use super::output::{print_json, say};
 
 /// As wide as the narrowest terminals are, so that a pager shows what a terminal does.
 const COLUMNS: u16 = 80;
 /// Columns for the key and for the word beside it.
 const NARROW: [u16; 2] = [6, 15];
 
-/// A row with what is shown of it.
-pub(super) struct Row<R: 'static> {
-    pub paper: &'static Paper,
-    pub row: &'static R,
+/// A claim or an erratum, and what is shown of it.
+pub(super) trait Ledger: Sized + 'static {
+    /// What one row is called, and what all are.
+    const CALLED: [&'static str; 2];
+    /// The word beside the key.
+    type Word: Copy + PartialEq + Display + 'static;
+    /// All of these words.
+    const WORDS: &'static [Self::Word];
+    /// The row in JSON.
+    type Record: Serialize;
+
+    fn of(paper: &Paper) -> &'static [Self];
+    fn key(&self) -> &'static str;
+    fn word(&self) -> Self::Word;
+    fn text(&self) -> String;
+    fn tests(&self) -> &'static [&'static str];
+    fn record(&self, paper: &'static str) -> Self::Record;
 }
 
-/// The rows that `of` has, of all papers, of a paper, or of one key, in any case.
-pub(super) fn chosen<R>(
-    what: &str,
-    of: fn(&Paper) -> &'static [R],
-    key: fn(&R) -> &'static str,
-    name: Option<&str>,
-) -> Result<Vec<Row<R>>> {
-    let rows = |paper: &'static Paper| of(paper).iter().map(move |row| Row { paper, row });
+/// A row and its paper.
+type Row<R> = (&'static Paper, &'static R);
+
+/// Prints the rows that `name` chooses.
+pub(super) fn run<R: Ledger>(name: Option<&str>, json: bool) -> Result<ExitCode> {
+    let rows = chosen::<R>(name)?;
+    if json {
+        for (paper, row) in rows {
+            print_json(&row.record(paper.key))?;
+        }
+    } else {
+        show(&rows)?;
+        count(&rows)?;
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+/// The rows of all papers, of a paper, or of one key, in any case.
+fn chosen<R: Ledger>(name: Option<&str>) -> Result<Vec<Row<R>>> {
+    let rows = |paper: &'static Paper| R::of(paper).iter().map(move |row| (paper, row));
     let mut chosen: Vec<_> = papers().iter().flat_map(rows).collect();
     let Some(name) = name else {
         return Ok(chosen);
     };
-    let having = papers().iter().filter(|paper| !of(paper).is_empty());
+    let having = papers().iter().filter(|paper| !R::of(paper).is_empty());
     let having: Vec<&str> = having.map(|paper| paper.key).collect();
-    let keys: Vec<&str> = chosen.iter().map(|row| key(row.row)).collect();
+    let keys: Vec<&str> = chosen.iter().map(|(_, row)| row.key()).collect();
     let known = [&having[..], &keys].concat();
-    let wanted = |row: &Row<R>| row.paper.key == name || key(row.row).eq_ignore_ascii_case(name);
-    chosen.retain(wanted);
+    chosen.retain(|(paper, row)| paper.key == name || row.key().eq_ignore_ascii_case(name));
     if chosen.is_empty() {
         return Err(Error::usage(
-            format!("there is no {what} and no paper '{name}'"),
+            format!("there is no {} and no paper '{name}'", R::CALLED[0]),
             did_you_mean(name, &known),
         ));
     }
@@ -46,17 +74,13 @@ pub(super) fn chosen<R>(
 }
 
 /// Prints the rows of each paper under its name. A single row comes with its tests.
-pub(super) fn show<R>(
-    rows: &[Row<R>],
-    cells: fn(&R) -> [String; 3],
-    tests: fn(&R) -> &[&str],
-) -> Result<()> {
-    for of_paper in rows.chunk_by(|a, b| a.paper.key == b.paper.key) {
+fn show<R: Ledger>(rows: &[Row<R>]) -> Result<()> {
+    for of_paper in rows.chunk_by(|(a, _), (b, _)| a.key == b.key) {
         let mut head = table();
-        head.add_row([of_paper[0].paper.citation]);
+        head.add_row([of_paper[0].0.citation]);
         let mut table = table();
-        for row in of_paper {
-            table.add_row(cells(row.row));
+        for (_, row) in of_paper {
+            table.add_row([row.key().to_owned(), row.word().to_string(), row.text()]);
         }
         for (column, width) in NARROW.into_iter().enumerate() {
             let width = ColumnConstraint::Absolute(Width::Fixed(width));
@@ -66,9 +90,9 @@ pub(super) fn show<R>(
         let text = table.trim_fmt();
         say(format_args!("{}\n\n{}\n", head.trim_fmt(), text.trim_end()))?;
     }
-    if let [row] = rows {
+    if let [(_, row)] = rows {
         say("Shown by, each with `cargo test --test BINARY NAME`:")?;
-        for test in tests(row.row) {
+        for test in row.tests() {
             say(format_args!("  {test}"))?;
         }
     }
@@ -84,24 +108,23 @@ fn table() -> Table {
     table
 }
 
-/// How many there are, and how many of each kind.
-pub(super) fn count<K: PartialEq + std::fmt::Display>(
-    what: &str,
-    all: &[K],
-    kinds: &[K],
-) -> Result<()> {
-    if all.len() < 2 {
+/// How many there are, and how many with each word.
+fn count<R: Ledger>(rows: &[Row<R>]) -> Result<()> {
+    if rows.len() < 2 {
         return Ok(());
     }
-    let of = |kind: &K| {
-        (
-            kind.to_string(),
-            all.iter().filter(|other| *other == kind).count(),
-        )
+    let of = |word: &R::Word| {
+        let with = rows.iter().filter(|(_, row)| row.word() == *word);
+        (with.count(), word.to_string())
     };
-    let counts = kinds.iter().map(of).filter(|(_, count)| *count > 0);
+    let counts = R::WORDS.iter().map(of).filter(|(count, _)| *count > 0);
     let counts: Vec<_> = counts
-        .map(|(kind, count)| format!("{count} {kind}"))
+        .map(|(count, word)| format!("{count} {word}"))
         .collect();
-    say(format_args!("{} {what}: {}", all.len(), counts.join(", ")))
+    let called = R::CALLED[1];
+    say(format_args!(
+        "{} {called}: {}",
+        rows.len(),
+        counts.join(", ")
+    ))
 }

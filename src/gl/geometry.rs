@@ -8,12 +8,12 @@ use super::bindings::{COLOR, NORMAL, POSITION};
 use super::context::Context;
 use super::making::Making;
 use super::program::Surfaces;
+use super::proxy::proxy;
 use super::runs::{Ordered, PIECE, Run};
 use super::uploading::{Bound, fill};
 use super::window::window_of_transparent;
 use crate::error::{Error, Result};
-use crate::fragment::Rgba;
-use crate::scene::{Mesh, Scene, Shading, Vertex, Volume};
+use crate::scene::{Mesh, Scene, Shading, Vertex};
 use crate::steps::Objects;
 
 /// A scene, uploaded. Its buffers live as long as it does.
@@ -358,7 +358,7 @@ impl Uploaded {
                 mesh.name,
                 triangles.len()
             );
-            return Err(Error::usage(
+            return Err(Error::scene(
                 what,
                 "split it into meshes of at most 178 million triangles",
             ));
@@ -394,37 +394,6 @@ fn origin_of(scene: &Scene) -> DVec3 {
         Some(bounds) if bounds.centre().length() > FAR * bounds.size().length() => bounds.centre(),
         _ => DVec3::ZERO,
     }
-}
-
-/// The box around a volume, with its faces turned outwards.
-fn proxy(volume: &Volume) -> Mesh {
-    // Corners by their bits: 1 for the end of x, 2 of y, 4 of z. Counterclockwise, seen from outside.
-    const FACES: [[u32; 4]; 6] = [
-        [0, 4, 6, 2],
-        [1, 3, 7, 5],
-        [0, 1, 5, 4],
-        [2, 6, 7, 3],
-        [0, 2, 3, 1],
-        [4, 5, 7, 6],
-    ];
-    let corner = |position: DVec3| Vertex {
-        position,
-        normal: Vec3::ZERO,
-        color: Rgba::default(),
-    };
-    let mirrored = volume.index_to_world().matrix3.determinant() < 0.0;
-    let triangles = FACES.iter().flat_map(|&[a, b, c, d]| {
-        if mirrored {
-            [[a, c, b], [a, d, c]]
-        } else {
-            [[a, b, c], [a, c, d]]
-        }
-    });
-    Mesh::new(
-        volume.name.clone(),
-        volume.corners().map(corner).to_vec(),
-        triangles.collect(),
-    )
 }
 
 impl Drop for Geometry<'_> {

@@ -25,6 +25,7 @@ pub(crate) mod network;
 mod pixel_store;
 mod program;
 mod programs;
+mod proxy;
 mod queries;
 mod quirks;
 mod resources;

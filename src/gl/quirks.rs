@@ -23,6 +23,9 @@ pub struct Quirks {
     /// a fragment's depth is compared before it is rounded to such a number. OpenGL says a quotient, and the same
     /// rounding for both. So a sampled depth may differ from the one that was stored.
     pub fixed_depths_are_products: bool,
+    /// A blend in 32-bit float rounds each of its two products and their sum, as the emulated pixel does. OpenGL leaves
+    /// that open: a GPU may round a product and the sum together.
+    pub blends_in_three_roundings: bool,
     /// Depths are interpolated between the corners where they are. GPUs interpolate between the corners as they were snapped
     /// to a grid of 1/256 pixel: on 160 x 120 pixels an H100's depths were up to 20 times as far from the true ones as
     /// llvmpipe's may be.
@@ -62,6 +65,7 @@ impl Quirks {
             runs_in_order: true,
             quick_doubles: true,
             fixed_depths_are_products: true,
+            blends_in_three_roundings: true,
             interpolates_true_corners: true,
             ..none
         }

@@ -19,8 +19,7 @@ fn by_images(nodes: Nodes) -> Method {
 /// Without an interlock nothing promises the order. llvmpipe, which draws each tile by one thread, keeps it.
 fn keeps_the_order(context: &Context) -> bool {
     let driver = context.driver();
-    let keeps =
-        driver.has("GL_ARB_fragment_shader_interlock") || driver.renderer.contains("llvmpipe");
+    let keeps = driver.has("GL_ARB_fragment_shader_interlock") || driver.quirks().runs_in_order;
     if !keeps {
         println!("skipped: no GL_ARB_fragment_shader_interlock");
     }

@@ -2,7 +2,7 @@
 //! scenes. The claims about single pixels are in `papers/emulator_*.rs`; `gl/lockstep.rs` shows that both are one machine.
 
 use crate::kit::bounds::F32;
-use crate::kit::carr_scenes::{HYBRID, LAYERS, error, figure_1, ideal};
+use crate::kit::carr_scenes::{HYBRID, LAYERS, error, figure_1, ideal, is_ideal};
 use crate::kit::render::{example, render};
 use crate::kit::stack;
 use onionskin::generate::{Soup, soup};
@@ -26,10 +26,8 @@ fn methods(context: &Context) -> Vec<Method> {
         coherent(Variant::A, TriangleSort::Submission),
         coherent(Variant::B, TriangleSort::Submission),
     ];
-    if context.driver().has("GL_EXT_shader_framebuffer_fetch") {
+    if is_ideal(context) {
         methods.push(ideal(TriangleSort::Submission));
-    } else {
-        println!("skipped: the ideal GPU (no GL_EXT_shader_framebuffer_fetch)");
     }
     methods
 }

@@ -2,7 +2,7 @@
 //! on OpenGL.
 
 use crate::kit::bounds::F32;
-use crate::kit::carr_scenes::{LAYERS, error, ideal};
+use crate::kit::carr_scenes::{LAYERS, error, ideal, is_ideal};
 use crate::kit::render::{example, render};
 use crate::kit::stack;
 use onionskin::generate::{TorusKnot, torus_knot};
@@ -16,8 +16,7 @@ use onionskin::{Context, Method, Scene, steps};
 #[test]
 pub(crate) fn c19_the_ideal_gpu_takes_two_geometry_passes_an_iteration() {
     let context = Context::headless().unwrap();
-    if !context.driver().has("GL_EXT_shader_framebuffer_fetch") {
-        println!("skipped: no GL_EXT_shader_framebuffer_fetch");
+    if !is_ideal(&context) {
         return;
     }
     for name in ["knots", "teapot", "soup"] {
@@ -172,8 +171,7 @@ pub(crate) fn x8_what_never_ends_is_given_up_and_says_so() {
 #[test]
 pub(crate) fn x22_as_printed_the_ideal_gpu_composites_layers_again() {
     let context = Context::headless().unwrap();
-    if !context.driver().has("GL_EXT_shader_framebuffer_fetch") {
-        println!("skipped: no GL_EXT_shader_framebuffer_fetch");
+    if !is_ideal(&context) {
         return;
     }
     let scene = example("knots", [120, 90]);

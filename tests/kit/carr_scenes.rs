@@ -2,10 +2,11 @@
 
 use super::render::example;
 use onionskin::generate::{Slices, SubmissionOrder, slices};
+use onionskin::low_level::methods::Technique;
 use onionskin::options::{
     HybridLayerPeelingOptions, IdealOptions, LayerPeelingOptions, TriangleSort,
 };
-use onionskin::{Comparison, Frame, Method, Scene};
+use onionskin::{Comparison, Context, Frame, Method, Scene};
 
 pub fn ideal(sorting: TriangleSort) -> Method {
     Method::IdealCoherentLayerPeeling(IdealOptions {
@@ -42,4 +43,14 @@ pub fn figure_1(count: u32, size: [u32; 2]) -> Scene {
     volume.sorted = true;
     scene.meshes[0] = volume;
     scene
+}
+
+/// Whether the driver is an ideal GPU, by framebuffer fetch or by interlocked images. Says aloud if it is not.
+pub fn is_ideal(context: &Context) -> bool {
+    let entry = Technique::entry(&IdealOptions::default());
+    let runs = entry.runs_on(context.driver());
+    if !runs {
+        println!("skipped: the ideal GPU (none of {:?})", entry.needs);
+    }
+    runs
 }

@@ -70,7 +70,7 @@ impl<'m, 'c> LockStep<'m, 'c> {
         let unwritten = watched.iter().filter_map(held).collect();
         // OpenGL leaves the rounding of a blend open. llvmpipe's is the emulated pixel's, to the bit. A GPU may round a
         // product and a sum together: each of up to 64 blends then is off by half a step of 2^-24, of colors up to 1.
-        let rounds_alike = gl.context().driver().quirks().runs_in_order;
+        let rounds_alike = gl.context().driver().quirks().blends_in_three_roundings;
         let blending = if rounds_alike {
             0.0
         } else {
