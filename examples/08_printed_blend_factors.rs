@@ -19,13 +19,13 @@ mod example;
 
 /// Undoes the one amended word.
 const AS_PRINTED: Amendment = Amendment {
-    key: "X16, undone",
+    key: "CX16, undone",
     kind: onionskin::low_level::steps::Kind::Correction,
     place: "section 6, the blend function",
     printed: steps! { glBlendFuncSeparate(DEST_ALPHA, ZERO, ONE, ZERO); },
     amended: steps! { glBlendFuncSeparate(ZERO, DEST_ALPHA, ONE, ZERO); },
     why: "as the paper prints it",
-    test: "x16_the_printed_blend_factors_multiply_all_earlier_depths",
+    test: "cx16_the_printed_blend_factors_multiply_all_earlier_depths",
 };
 
 fn main() -> onionskin::Result<()> {

@@ -3,7 +3,7 @@
 //
 // As printed, "not yet resolved" is told by depth alone, so that of several fragments of equal depth those that did not
 // fit into the buffer are skipped in the next pass, and what lies at depth 0 is skipped always. Amended, the
-// order of submission decides between equal depths (errata L1, L4). Either way a pass that did not overflow is the last
+// order of submission decides between equal depths (errata LX01, LX04). Either way a pass that did not overflow is the last
 // (L3), unless the text is read literally: then it waits until as many fragments are resolved as the list has, and is given
 // up after more passes than it has fragments.
 // defines: method

@@ -272,7 +272,7 @@ impl Algorithm for CoherentLayerPeeling {
         self.peeled.prepare(machine)?;
         let resources = match self.options.variant {
             Variant::A => coherent::RESOURCES_A,
-            // Depths as colors need the image's full float precision (X17).
+            // Depths as colors need the image's full float precision (CX17).
             Variant::B => coherent::RESOURCES_B,
         };
         allocate_maps(machine, &resources, self.color, self.depth)?;

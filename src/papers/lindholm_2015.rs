@@ -311,10 +311,10 @@ pub const CLEAR_AND_COUNTING_FILL: Listing = Listing {
     steps: steps! { run CLEAR_AND_FILL amended by &[COUNT_WHILE_FILLING]; },
 };
 
-/// To [`PP_AO`]: errata L5 to L7. A pixel belongs to one segment by its own count, which needs no mark and has 32 bits;
+/// To [`PP_AO`]: errata LX05 to LX07. A pixel belongs to one segment by its own count, which needs no mark and has 32 bits;
 /// the last segment takes every pixel that is left.
 pub const BY_COUNTER: Amendment = Amendment {
-    key: "L5, L6, L7",
+    key: "LX05, LX06, LX07",
     kind: Kind::Correction,
     place: "section 5.1, if depth complexity(p) <= i",
     printed: steps! {
@@ -328,7 +328,7 @@ pub const BY_COUNTER: Amendment = Amendment {
 
 /// Goes with [`BY_COUNTER`].
 pub const NO_STENCIL: Amendment = Amendment {
-    key: "L7",
+    key: "LX07",
     kind: Kind::Correction,
     place: "section 6.2, stencil masking",
     printed: steps! {
@@ -337,7 +337,7 @@ pub const NO_STENCIL: Amendment = Amendment {
     },
     amended: steps! {},
     why: "no pixel is in two segments, so none has to be marked",
-    test: "l07_as_printed_pixels_are_resolved_twice",
+    test: "lx07_as_printed_pixels_are_resolved_twice",
 };
 
 const BEFORE_RESOLVE: Listing = Listing {

@@ -44,7 +44,7 @@ pub const COPLANAR_PEELING: Listing = Listing {
 /// Instead of saving the layer, this draws the scene once more and puts all fragments at the layer's depth under those
 /// before them. The query counts these fragments, so that the number of missing fragments is known at the end.
 pub const EVERY_FRAGMENT: Amendment = Amendment {
-    key: "V3",
+    key: "VX03",
     kind: Kind::Edition,
     place: "Listing 1, save color buffer RGBA as layer i",
     printed: steps! { save color buffer RGBA as layer i; },
@@ -73,7 +73,7 @@ pub const EVERY_FRAGMENT: Amendment = Amendment {
         glUseProgram(stage::PEEL_SURFACE);
     },
     why: "a layer is every fragment at its depth, not one of them",
-    test: "v3_coplanar_peeling_has_every_tie_in_the_order_of_submission",
+    test: "vx03_coplanar_peeling_has_every_tie_in_the_order_of_submission",
 };
 
 /// The first pass of each layer draws depths alone; the second is tested against them.

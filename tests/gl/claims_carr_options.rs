@@ -125,9 +125,9 @@ fn improvements_give_the_same_image() {
 // ---- As printed ------------------------------------------------------------------------------------------------------
 
 #[test]
-pub(crate) fn x8_what_never_ends_is_given_up_and_says_so() {
+pub(crate) fn cx08_what_never_ends_is_given_up_and_says_so() {
     const AS_PRINTED: Amendment = Amendment {
-        key: "X8 undone",
+        key: "CX08 undone",
         kind: onionskin::low_level::steps::Kind::Correction,
         place: "section 5.2, pass 6",
         printed: steps! { glUseProgram(AT_BOUND); },
@@ -169,7 +169,7 @@ pub(crate) fn x8_what_never_ends_is_given_up_and_says_so() {
 }
 
 #[test]
-pub(crate) fn x22_as_printed_the_ideal_gpu_composites_layers_again() {
+pub(crate) fn cx22_as_printed_the_ideal_gpu_composites_layers_again() {
     let context = Context::headless().unwrap();
     if !is_ideal(&context) {
         return;
@@ -191,6 +191,6 @@ pub(crate) fn x22_as_printed_the_ideal_gpu_composites_layers_again() {
     assert!(error(&run(Reading::AsPrinted, false), &exact) > 0.01);
     let (faithful, tight) = (run(Reading::Amended, false), run(Reading::Amended, true));
     assert!(error(&faithful, &exact) <= F32 && error(&tight, &exact) <= F32);
-    // X23.
+    // CX23.
     assert!(tight.stats.iterations <= faithful.stats.iterations);
 }

@@ -149,7 +149,7 @@ pub(crate) fn l04_three_managers_give_the_same_image() {
 }
 
 /// "All giving the same image" holds up to N. Of a longer list, FFB and DFB keep what was submitted first, and PPLL what was
-/// submitted last: the paper does not say which fragments are lost (n19), and it depends on the manager.
+/// submitted last: the paper does not say which fragments are lost (LX12), and it depends on the manager.
 #[test]
 pub(crate) fn l04_past_n_the_managers_lose_as_many_fragments_but_not_the_same() {
     let context = Context::headless().unwrap();

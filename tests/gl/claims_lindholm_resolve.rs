@@ -205,7 +205,7 @@ pub(crate) fn l11_eight_bits_leave_255_and_more_to_the_last_segment_as_printed()
     assert_eq!(error.over, 2, "{error:?}");
 }
 
-/// Erratum L5: `depth complexity(p) <= i` holds in no segment.
+/// Erratum LX05: `depth complexity(p) <= i` holds in no segment.
 #[test]
 pub(crate) fn l11_as_printed_the_stencil_loses_what_lies_past_the_last_segment() {
     let context = Context::headless().unwrap();
@@ -223,9 +223,9 @@ pub(crate) fn l11_as_printed_the_stencil_loses_what_lies_past_the_last_segment()
     }
 }
 
-/// Errata L6 and L7 on the driver's own stencil buffer: INVERT puts a complexity of 127 to 128, which is another segment's.
+/// Errata LX06 and LX07 on the driver's own stencil buffer: INVERT puts a complexity of 127 to 128, which is another segment's.
 #[test]
-pub(crate) fn l07_as_printed_pixels_are_resolved_twice() {
+pub(crate) fn lx07_as_printed_pixels_are_resolved_twice() {
     let context = Context::headless().unwrap();
     let counts = [100, 126, 127, 128];
     let stack = row(&counts);
@@ -251,7 +251,7 @@ pub(crate) fn l07_as_printed_pixels_are_resolved_twice() {
     assert_eq!(error.over, 0, "{error:?}");
 }
 
-/// The bound, and that it is not reached: the pseudocode resolves n, not n - 1 (erratum L2).
+/// The bound, and that it is not reached: the pseudocode resolves n, not n - 1 (erratum LX02).
 #[test]
 pub(crate) fn l12_a_pixel_takes_at_most_d_over_n_minus_1_subpasses() {
     let context = Context::headless().unwrap();
@@ -278,7 +278,7 @@ pub(crate) fn l12_a_pixel_takes_at_most_d_over_n_minus_1_subpasses() {
     }
 }
 
-/// Errata L1 and L4: what the printed rule loses, fragment by fragment, is what a twin in Rust says it must; and the
+/// Errata LX01 and LX04: what the printed rule loses, fragment by fragment, is what a twin in Rust says it must; and the
 /// amended rule loses none.
 #[test]
 pub(crate) fn l13_as_printed_ties_are_lost_where_a_buffer_ends_and_amended_none() {

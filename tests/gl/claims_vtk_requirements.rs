@@ -52,7 +52,7 @@ pub(crate) fn v09_this_driver_lacks_nothing() {
 
 #[test]
 pub(crate) fn v01_0_peels_is_no_limit_in_every_method_as_vtk_documents_it() {
-    // V1: VTK's own dual pass peels nothing then.
+    // VX01: VTK's own dual pass peels nothing then.
     let context = Context::headless().unwrap();
     for method in peeling() {
         let stats = render(&context, &method, Format::Rgba32F).unwrap().stats;

@@ -173,10 +173,10 @@ pub(crate) fn v08_depth_peeling_through_rectangle_textures_gives_the_same_image(
 
 // ---- Errata ----------------------------------------------------------------------------------------------------------
 
-/// Erratum V5. Below an alpha of 1/510, 8 bits hold nothing of a layer, and a query that counts pixels which became visible
+/// Erratum VX05. Below an alpha of 1/510, 8 bits hold nothing of a layer, and a query that counts pixels which became visible
 /// would stop. This one counts what was peeled.
 #[test]
-pub(crate) fn xv5_layers_below_the_step_of_8_bits_are_peeled_and_counted_all_the_same() {
+pub(crate) fn vx05_layers_below_the_step_of_8_bits_are_peeled_and_counted_all_the_same() {
     let context = Context::headless().unwrap();
     let faint = Stack {
         width: 1,
@@ -212,10 +212,10 @@ pub(crate) fn xv5_layers_below_the_step_of_8_bits_are_peeled_and_counted_all_the
     assert!(error > 0.2, "{error}");
 }
 
-/// Erratum V6. Planes at 0.001 and 10000 tie depths that are apart. Depth peeling says how many fragments it lost by that.
+/// Erratum VX06. Planes at 0.001 and 10000 tie depths that are apart. Depth peeling says how many fragments it lost by that.
 /// Coherent layer peeling loses none, but no order of submission puts the ties into the order that they have in space.
 #[test]
-pub(crate) fn xv6_loose_planes_make_ties_which_depth_peeling_loses_and_coherent_peeling_cannot_order()
+pub(crate) fn vx06_loose_planes_make_ties_which_depth_peeling_loses_and_coherent_peeling_cannot_order()
  {
     let context = Context::headless().unwrap();
     let mut scene = example("knots", [120, 90]);

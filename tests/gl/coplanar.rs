@@ -28,7 +28,7 @@ fn single() -> Method {
 }
 
 #[test]
-pub(crate) fn v3_coplanar_peeling_has_every_tie_in_the_order_of_submission() {
+pub(crate) fn vx03_coplanar_peeling_has_every_tie_in_the_order_of_submission() {
     let context = Context::headless().unwrap();
     let renderer = std::cell::RefCell::new(Renderer::new(&context, 3, 2).unwrap());
     for (levels, distinct) in [(stack::LEVELS, true), (5, false), (1, false)] {
@@ -48,7 +48,7 @@ pub(crate) fn v3_coplanar_peeling_has_every_tie_in_the_order_of_submission() {
 }
 
 #[test]
-pub(crate) fn v3_red_and_green_at_one_depth_are_red_before_green() {
+pub(crate) fn vx03_red_and_green_at_one_depth_are_red_before_green() {
     // By hand, over black: the first half covers, the second a quarter.
     let context = Context::headless().unwrap();
     let [red, green] = [[1.0, 0.0, 0.0, 0.5], [0.0, 1.0, 0.0, 0.5]];
@@ -116,7 +116,7 @@ fn a_limit_leaves_the_farther_depths_out_and_counts_their_fragments() {
 
 #[test]
 pub(crate) fn real_meshes_with_duplicated_faces_lose_none() {
-    // V4: a scan with duplicated faces. The teapot with every third triangle submitted twice.
+    // VX04: a scan with duplicated faces. The teapot with every third triangle submitted twice.
     let context = Context::headless().unwrap();
     let scene = with_duplicates(&example("teapot"));
     let exact = render(&context, &scene, &Method::Exact);

@@ -200,7 +200,7 @@ fn a_fixed_point_depth_buffer_does_it_no_harm() {
 }
 
 #[test]
-pub(crate) fn v3_blending_colors_by_max_merges_what_is_coplanar() {
+pub(crate) fn vx03_blending_colors_by_max_merges_what_is_coplanar() {
     // As published: one blend equation for all draw buffers.
     const MAX_FOR_ALL: &[Amendment] = &[changed(
         steps! { glBlendFunci(2, ONE_MINUS_DST_ALPHA, ONE); },

@@ -66,7 +66,7 @@ pub(crate) fn c07_to_c10_figure_2_on_opengl() {
     run(&stage::OPAQUE_FIRST, &[], Variables::new(), &mut both).unwrap();
     let amendments: Vec<_> = coherent::AMENDMENTS
         .into_iter()
-        .filter(|amendment| amendment.key != "X9" && amendment.key != "X11")
+        .filter(|amendment| amendment.key != "CX09" && amendment.key != "CX11")
         .collect();
     let clear_depth = Call::ClearDepth { depth: s4.into() };
     both.perform(&clear_depth).unwrap();

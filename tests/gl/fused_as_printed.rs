@@ -1,4 +1,4 @@
-//! ppAO and ppDP as printed, on scenes with volumes: what errata L1, L4, L5 and L7 cost where the lists hold the faces of
+//! ppAO and ppDP as printed, on scenes with volumes: what errata LX01, LX04, LX05 and LX07 cost where the lists hold the faces of
 //! boxes, too. A face that is lost is a toggle that is lost, so that a ray sees a volume where there is none.
 
 use crate::kit::bounds::distance;
@@ -113,7 +113,7 @@ fn twice(peel: u32) -> (Scene, ABufferOptions) {
     (scene, options)
 }
 
-/// Erratum L1. With a buffer of 1 the second volume's faces are lost, and it is not seen; with one of 2 only the face where
+/// Erratum LX01. With a buffer of 1 the second volume's faces are lost, and it is not seen; with one of 2 only the face where
 /// it is left is, and it goes on to the far plane, 20 from the eye at 5.
 #[test]
 pub(crate) fn l13_a_tie_that_is_lost_is_a_volume_that_is_not_seen_or_does_not_end() {
@@ -133,7 +133,7 @@ pub(crate) fn l13_a_tie_that_is_lost_is_a_volume_that_is_not_seen_or_does_not_en
     loses(&context, &scene, options, 1, &right, &endless);
 }
 
-/// Erratum L4. A face before the near plane lies at depth 0, to which it is clamped, and is skipped. So the ray is outside
+/// Erratum LX04. A face before the near plane lies at depth 0, to which it is clamped, and is skipped. So the ray is outside
 /// of the fog until it leaves it, and then inside.
 #[test]
 pub(crate) fn l13_a_face_before_the_near_plane_is_skipped_and_the_fog_is_inside_out() {
@@ -150,7 +150,7 @@ pub(crate) fn l13_a_face_before_the_near_plane_is_skipped_and_the_fog_is_inside_
     }
 }
 
-/// Erratum L5. Past the last segment a pixel is not resolved: its volumes are not seen either.
+/// Erratum LX05. Past the last segment a pixel is not resolved: its volumes are not seen either.
 #[test]
 pub(crate) fn l11_past_the_last_segment_there_is_no_fog() {
     let context = Context::headless().unwrap();
@@ -169,10 +169,10 @@ pub(crate) fn l11_past_the_last_segment_there_is_no_fog() {
     loses(&context, &scene, options, 9, &right, &[]);
 }
 
-/// Errata L6 and L7. With a segment of 256, whose reference is clamped to 255, every pixel passes again: fog and pane are
+/// Errata LX06 and LX07. With a segment of 256, whose reference is clamped to 255, every pixel passes again: fog and pane are
 /// there twice.
 #[test]
-pub(crate) fn l07_with_a_segment_of_256_the_fog_is_seen_through_itself() {
+pub(crate) fn lx07_with_a_segment_of_256_the_fog_is_seen_through_itself() {
     let context = Context::headless().unwrap();
     let scene = fog_and_pane(5.0, -0.4, 0.4, 0.3);
     let options = ABufferOptions {

@@ -193,7 +193,7 @@ fn ten_thousand_sequences_on_16_bit_depths_as_llvmpipe_samples_them() {
 
 #[test]
 fn ten_thousand_sequences_with_small_colors() {
-    // Variant B's depths are colors: that they need 32 bits is X17.
+    // Variant B's depths are colors: that they need 32 bits is CX17.
     for which in [Loop::LayerPeeling, Loop::Hybrid, Loop::A] {
         for color in [Format::Rgba16F, Format::Rgba8] {
             check(which, [color, D32F]);

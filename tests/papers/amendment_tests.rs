@@ -42,7 +42,7 @@ fn every_amendment_of_every_text_is_among_those_that_are_held_against_the_tests(
     // Of every kind of text, and of what texts run.
     for test in [
         "v06_both_ways_of_compositing_give_the_same_image",
-        "x22_pixels_that_are_done_composite_their_last_layer_again",
+        "cx22_pixels_that_are_done_composite_their_last_layer_again",
         "l13_what_lies_at_depth_0_is_skipped_as_printed",
         "every_pixel_of_a_layer_is_counted_once",
         "l16_without_the_opaque_surface_a_ray_goes_on_behind_it",

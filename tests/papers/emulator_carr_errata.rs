@@ -1,5 +1,5 @@
-//! Every error that was found in the printed text of Carr et al. (2008), keys X1 to X28: what happens as printed, on
-//! images of 32 x 32 pixels, and that it does not as amended. X1, X2 and X7 are in `papers/emulator_figure_2.rs`.
+//! Every error that was found in the printed text of Carr et al. (2008), keys CX01 to CX28: what happens as printed, on
+//! images of 32 x 32 pixels, and that it does not as amended. CX01, CX02 and CX07 are in `papers/emulator_figure_2.rs`.
 
 use crate::kit::peels;
 use onionskin::low_level::emulator::run_algorithm;
@@ -15,13 +15,13 @@ use crate::kit::peels::{
 };
 
 #[test]
-pub(crate) fn x4_a_closed_range_in_passes_3_and_4_costs_iterations() {
+pub(crate) fn cx04_a_closed_range_in_passes_3_and_4_costs_iterations() {
     for (pixels, name) in [
         (random_image(24), "random 24"),
         (nearly_sorted_image(24), "two exchanged"),
     ] {
         let right = amended(Loop::A, &pixels).iterations();
-        let closed = without(Loop::A, "X4", &pixels);
+        let closed = without(Loop::A, "CX04", &pixels);
         println!(
             "{name}: {} instead of {right} iterations",
             closed.iterations()
@@ -32,19 +32,19 @@ pub(crate) fn x4_a_closed_range_in_passes_3_and_4_costs_iterations() {
 }
 
 #[test]
-pub(crate) fn x5_a_closed_range_in_pass_5_composites_the_bound_twice() {
+pub(crate) fn cx05_a_closed_range_in_pass_5_composites_the_bound_twice() {
     let pixels = random_image(8);
-    assert!(without(Loop::A, "X5", &pixels).bad(&pixels) > 1000);
+    assert!(without(Loop::A, "CX05", &pixels).bad(&pixels) > 1000);
     // With surfaces in order there is nothing at the bound.
     let pixels = sorted(8);
-    assert_eq!(without(Loop::A, "X5", &pixels).bad(&pixels), 0);
+    assert_eq!(without(Loop::A, "CX05", &pixels).bad(&pixels), 0);
 }
 
 #[test]
-pub(crate) fn x6_a_range_that_is_open_below_loses_s_n() {
+pub(crate) fn cx06_a_range_that_is_open_below_loses_s_n() {
     // Section 4.2's "tight bound" (D(sn), ...]: the first surface itself is never composited.
     const OPEN_BELOW: Amendment = Amendment {
-        key: "X6",
+        key: "CX06",
         kind: onionskin::low_level::steps::Kind::Correction,
         place: "section 4.2",
         printed: steps! { run coherent::RANGE_5; },
@@ -53,14 +53,14 @@ pub(crate) fn x6_a_range_that_is_open_below_loses_s_n() {
         test: "this one",
     };
     let pixels = random_image(8);
-    let mut amendments = Loop::A.without("X5");
+    let mut amendments = Loop::A.without("CX05");
     amendments.push(OPEN_BELOW);
     let lost = emulate(Loop::A, &pixels, &amendments);
     assert!(lost.bad(&pixels) > 800, "{}", lost.bad(&pixels));
 }
 
 #[test]
-pub(crate) fn x8_surfaces_on_the_opaque_surface_are_composited_for_ever() {
+pub(crate) fn cx08_surfaces_on_the_opaque_surface_are_composited_for_ever() {
     let pixels: Vec<Pixel> = random_image(8)
         .into_iter()
         .map(|pixel| {
@@ -69,14 +69,14 @@ pub(crate) fn x8_surfaces_on_the_opaque_surface_are_composited_for_ever() {
         })
         .collect();
     for which in [Loop::A, Loop::B] {
-        let endless = without(which, "X8", &pixels);
+        let endless = without(which, "CX08", &pixels);
         assert_eq!(endless.bad(&pixels), 1024, "{which:?}");
         assert!(!endless.ended(), "{which:?}");
     }
 }
 
 #[test]
-pub(crate) fn x9_surfaces_on_the_near_plane_are_lost() {
+pub(crate) fn cx09_surfaces_on_the_near_plane_are_lost() {
     let pixels: Vec<Pixel> = tied_image(8, 5)
         .into_iter()
         .map(|mut pixel| {
@@ -93,9 +93,9 @@ pub(crate) fn x9_surfaces_on_the_near_plane_are_lost() {
         .count();
     for which in [Loop::A, Loop::B] {
         amended(which, &pixels);
-        // X11's cure reads the same range, and would find for pass 6 what pass 1 has not seen.
-        let mut open = which.without("X9");
-        open.retain(|amendment| amendment.key != "X11");
+        // CX11's cure reads the same range, and would find for pass 6 what pass 1 has not seen.
+        let mut open = which.without("CX09");
+        open.retain(|amendment| amendment.key != "CX11");
         assert_eq!(
             emulate(which, &pixels, &open).bad(&pixels),
             near,
@@ -106,9 +106,9 @@ pub(crate) fn x9_surfaces_on_the_near_plane_are_lost() {
 }
 
 #[test]
-pub(crate) fn x10_counting_pass_5_alone_ends_the_loop_too_early() {
+pub(crate) fn cx10_counting_pass_5_alone_ends_the_loop_too_early() {
     const PASS_5_ONLY: Amendment = Amendment {
-        key: "X10",
+        key: "CX10",
         kind: onionskin::low_level::steps::Kind::Correction,
         place: "section 5.2, the query",
         printed: steps! { run coherent::PASS_6; glEndQuery(onionskin::low_level::papers::carr_2008::COMPOSITED); },
@@ -119,7 +119,7 @@ pub(crate) fn x10_counting_pass_5_alone_ends_the_loop_too_early() {
     // Where s_n has a tie the run is empty: pass 6 alone composites it. With many pixels some run is never empty, so
     // this shows on single pixels.
     let mut amendments = vec![PASS_5_ONLY];
-    amendments.extend(Loop::A.amendments().into_iter().filter(|a| a.key != "X8"));
+    amendments.extend(Loop::A.amendments().into_iter().filter(|a| a.key != "CX08"));
     let wrong = tied_image(8, 4)
         .chunks(1)
         .take(400)
@@ -130,7 +130,7 @@ pub(crate) fn x10_counting_pass_5_alone_ends_the_loop_too_early() {
 }
 
 #[test]
-pub(crate) fn x11_a_closed_range_in_pass_2_only_costs_iterations() {
+pub(crate) fn cx11_a_closed_range_in_pass_2_only_costs_iterations() {
     let pixels: Vec<Pixel> = random_image(8)
         .into_iter()
         .map(|pixel| {
@@ -139,25 +139,25 @@ pub(crate) fn x11_a_closed_range_in_pass_2_only_costs_iterations() {
         })
         .collect();
     let right = amended(Loop::A, &pixels).iterations();
-    let closed = without(Loop::A, "X11", &pixels);
+    let closed = without(Loop::A, "CX11", &pixels);
     println!("{} instead of {right} iterations", closed.iterations());
     assert_eq!(closed.bad(&pixels), 0);
     assert!(closed.iterations() > right);
 }
 
 #[test]
-pub(crate) fn x12_state_left_behind_loses_surfaces() {
+pub(crate) fn cx12_state_left_behind_loses_surfaces() {
     let pixels = random_image(8);
     for which in [Loop::A, Loop::B] {
-        let lost = without(which, "X12", &pixels);
+        let lost = without(which, "CX12", &pixels);
         assert!(lost.bad(&pixels) > 1000, "{which:?}: {}", lost.bad(&pixels));
     }
 }
 
 #[test]
-pub(crate) fn x13_white_clears_erase_the_image() {
+pub(crate) fn cx13_white_clears_erase_the_image() {
     let pixels = random_image(8);
-    let erased = without(Loop::A, "X13", &pixels);
+    let erased = without(Loop::A, "CX13", &pixels);
     let wrong = pixels
         .iter()
         .zip(erased.emulator.colors(peels::IMAGE).unwrap())
@@ -170,20 +170,20 @@ pub(crate) fn x13_white_clears_erase_the_image() {
 }
 
 #[test]
-pub(crate) fn x16_the_printed_blend_factors_multiply_all_earlier_depths() {
+pub(crate) fn cx16_the_printed_blend_factors_multiply_all_earlier_depths() {
     // Two surfaces that lower the depth are right by chance, since the color was cleared to 1.
     let blank = reversed(16);
-    let printed = without(Loop::B, "X16", &blank);
+    let printed = without(Loop::B, "CX16", &blank);
     assert!(printed.emulator.composited()[0].len() < 16);
     let pixels = random_image(8);
-    let printed = without(Loop::B, "X16", &pixels);
+    let printed = without(Loop::B, "CX16", &pixels);
     println!("{} of 1024 pixels wrong", printed.bad(&pixels));
     assert!(printed.bad(&pixels) > 300, "{}", printed.bad(&pixels));
-    assert_eq!(without(Loop::B, "X16", &reversed(2)).bad(&reversed(2)), 0);
+    assert_eq!(without(Loop::B, "CX16", &reversed(2)).bad(&reversed(2)), 0);
 }
 
 #[test]
-pub(crate) fn x17_sixteen_bit_floats_are_not_enough_for_depths() {
+pub(crate) fn cx17_sixteen_bit_floats_are_not_enough_for_depths() {
     // z_min_prev rounds, and may come to lie before D(sn).
     let mut chance = Chance::new(17);
     let pixels: Vec<Pixel> = (0..1024)
@@ -211,7 +211,7 @@ pub(crate) fn x17_sixteen_bit_floats_are_not_enough_for_depths() {
 }
 
 #[test]
-pub(crate) fn x14_blending_left_on_does_no_harm_where_maps_are_depths() {
+pub(crate) fn cx14_blending_left_on_does_no_harm_where_maps_are_depths() {
     // If maps were read from colors, it would. Here they are copies of the depth buffer, and colors are masked.
     const OFF: Amendment = Amendment {
         amended: steps! {
@@ -224,7 +224,7 @@ pub(crate) fn x14_blending_left_on_does_no_harm_where_maps_are_depths() {
     let pixels = random_image(8);
     for which in [Loop::A, Loop::B] {
         let mut amendments = vec![OFF];
-        amendments.extend(which.without("X13"));
+        amendments.extend(which.without("CX13"));
         let image = |amendments: &[Amendment]| {
             let emulated = emulate(which, &pixels, amendments);
             emulated.emulator.colors(peels::IMAGE).unwrap().to_vec()
@@ -268,9 +268,9 @@ fn hybrid_without(key: &str, pixels: &[Pixel]) -> [usize; 2] {
 }
 
 #[test]
-pub(crate) fn x19_sorted_surfaces_at_a_peel_depth_are_lost() {
+pub(crate) fn cx19_sorted_surfaces_at_a_peel_depth_are_lost() {
     let pixels = half_sorted(tied_image(20, 64));
-    let [listing, pseudocode] = hybrid_without("X19", &pixels);
+    let [listing, pseudocode] = hybrid_without("CX19", &pixels);
     println!("{listing} of 1024 pixels");
     assert!(
         listing > 300 && listing == pseudocode,
@@ -279,7 +279,7 @@ pub(crate) fn x19_sorted_surfaces_at_a_peel_depth_are_lost() {
 }
 
 #[test]
-pub(crate) fn x20_unsorted_surfaces_on_the_opaque_surface_are_composited_in_every_iteration() {
+pub(crate) fn cx20_unsorted_surfaces_on_the_opaque_surface_are_composited_in_every_iteration() {
     let mut chance = Chance::new(20);
     let pixels: Vec<Pixel> = half_sorted(random_image(12))
         .into_iter()
@@ -288,7 +288,7 @@ pub(crate) fn x20_unsorted_surfaces_on_the_opaque_surface_are_composited_in_ever
             before(pixel, opaque)
         })
         .collect();
-    let [listing, pseudocode] = hybrid_without("X20", &pixels);
+    let [listing, pseudocode] = hybrid_without("CX20", &pixels);
     println!("{listing} of 1024 pixels");
     assert!(
         listing > 100 && listing == pseudocode,
@@ -297,7 +297,7 @@ pub(crate) fn x20_unsorted_surfaces_on_the_opaque_surface_are_composited_in_ever
 }
 
 #[test]
-pub(crate) fn x21_unsorted_surfaces_on_the_near_plane_are_lost() {
+pub(crate) fn cx21_unsorted_surfaces_on_the_near_plane_are_lost() {
     let pixels: Vec<Pixel> = half_sorted(tied_image(8, 16))
         .into_iter()
         .map(|mut pixel| {
@@ -307,7 +307,7 @@ pub(crate) fn x21_unsorted_surfaces_on_the_near_plane_are_lost() {
             pixel
         })
         .collect();
-    let [listing, pseudocode] = hybrid_without("X21", &pixels);
+    let [listing, pseudocode] = hybrid_without("CX21", &pixels);
     assert!(
         listing > 100 && listing == pseudocode,
         "{listing} {pseudocode}"
@@ -329,7 +329,7 @@ pub(crate) fn c02_iterations_depend_on_the_unsorted_geometry_only() {
 }
 
 #[test]
-pub(crate) fn x22_pixels_that_are_done_composite_their_last_layer_again() {
+pub(crate) fn cx22_pixels_that_are_done_composite_their_last_layer_again() {
     let pixels = random_image(8);
     let printed = algorithm_2(&[], &pixels);
     println!("{} of 1024 pixels", bad(&pixels, &printed.composited));
@@ -348,7 +348,7 @@ pub(crate) fn x22_pixels_that_are_done_composite_their_last_layer_again() {
 }
 
 #[test]
-pub(crate) fn x23_the_tighter_bound_halves_reversed_input() {
+pub(crate) fn cx23_the_tighter_bound_halves_reversed_input() {
     for (pixels, name) in [(reversed(16), "reversed 16"), (random_image(8), "random 8")] {
         let printed = algorithm_2(&ideal::AMENDMENTS_2, &pixels);
         let tight = algorithm_2(&ideal::TIGHT_BOUND, &pixels);

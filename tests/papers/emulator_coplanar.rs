@@ -53,7 +53,7 @@ fn peel(pixels: &[Pixel], amendments: &[Amendment]) -> (usize, f64, Option<Reaso
 }
 
 #[test]
-pub(crate) fn v3_every_sequence_is_composited_with_its_ties_in_the_order_of_submission() {
+pub(crate) fn vx03_every_sequence_is_composited_with_its_ties_in_the_order_of_submission() {
     let cases = cases();
     // 4 + 16 + ... + 4096 sequences, each with nine opaque surfaces and with none.
     assert_eq!(cases.len(), 5460 * 10);
@@ -63,7 +63,7 @@ pub(crate) fn v3_every_sequence_is_composited_with_its_ties_in_the_order_of_subm
 }
 
 #[test]
-fn v3_a_changed_word_would_be_noticed() {
+fn vx03_a_changed_word_would_be_noticed() {
     const CHANGES: [(&str, &[Amendment]); 3] = [
         (
             "EQUAL to LEQUAL",

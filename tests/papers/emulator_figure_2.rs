@@ -67,7 +67,7 @@ pub(crate) fn c08_pass_2_stops_at_s2() {
 }
 
 #[test]
-pub(crate) fn x2_s1_is_not_skipped_in_pass_2_but_drawn() {
+pub(crate) fn cx02_s1_is_not_skipped_in_pass_2_but_drawn() {
     // "In the case of Figure 2 we skip s1 and stop at s2": s1 passes, and counts the stencil down.
     let pass = &figure_2(&LATER)[1];
     let s1 = pass.fates.iter().find(|fate| fate.order == 1).unwrap();
@@ -85,7 +85,7 @@ pub(crate) fn c09_pass_3_counts_s3_s5_s6_and_s7_and_s9_inverts_the_count() {
 }
 
 #[test]
-pub(crate) fn x1_s9_does_not_set_the_depth_in_pass_3() {
+pub(crate) fn cx01_s9_does_not_set_the_depth_in_pass_3() {
     // The text: "sets the depth to D(s9)". A fragment that fails the depth test never writes depth.
     let pass = &figure_2(&LATER)[2];
     assert_eq!(pass.left, (251, FIGURE_2[7]));
@@ -255,7 +255,7 @@ pub(crate) fn c06_the_passes_find_what_section_4_defines() {
 }
 
 #[test]
-pub(crate) fn x7_a_predecessor_outside_of_the_range_hides_a_surface_that_is_out_of_order() {
+pub(crate) fn cx07_a_predecessor_outside_of_the_range_hides_a_surface_that_is_out_of_order() {
     // A surface whose predecessor in the whole list lies outside of the range, and nearer, counts as in order by the
     // printed text, although it lies before an earlier surface of the range.
     let differs = |n: usize| {

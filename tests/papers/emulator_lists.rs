@@ -14,7 +14,7 @@ use proptest::test_runner::TestError;
 use crate::kit::masks::{stencil, times_resolved};
 use crate::kit::pp_dp::{Rule, peel};
 
-/// Printed, with a condition that ends it (erratum L3).
+/// Printed, with a condition that ends it (erratum LX03).
 const PRINTED: [Amendment<ListLine>; 1] = [STOP];
 /// The text beside the pseudocode, likewise.
 const TEXT: [Amendment<ListLine>; 2] = [AS_THE_TEXT_SAYS, STOP];
@@ -172,7 +172,7 @@ pub(crate) fn l13_random_lists_come_out_in_the_oracle_s_order() {
     }
 }
 
-/// Erratum L1. Twenty coplanar fragments and a buffer of eight: twelve are lost. With the rule amended but not what is
+/// Erratum LX01. Twenty coplanar fragments and a buffer of eight: twelve are lost. With the rule amended but not what is
 /// stored, the same.
 #[test]
 pub(crate) fn l13_ties_are_lost_where_a_buffer_ends_as_printed() {
@@ -187,7 +187,7 @@ pub(crate) fn l13_ties_are_lost_where_a_buffer_ends_as_printed() {
     assert_eq!(composited(&[SKIP_BY_ID, STORE_ID, STOP]), 20);
 }
 
-/// Erratum L4.
+/// Erratum LX04.
 #[test]
 pub(crate) fn l13_what_lies_at_depth_0_is_skipped_as_printed() {
     let lists = [list(&[3, 0, 4])];
@@ -200,7 +200,7 @@ pub(crate) fn l13_what_lies_at_depth_0_is_skipped_as_printed() {
     assert_eq!(composited(&[START, STOP]), [1, 0, 2]);
 }
 
-/// Erratum L3. Read as a count, "until all fragments are resolved" holds of what was not lost only.
+/// Erratum LX03. Read as a count, "until all fragments are resolved" holds of what was not lost only.
 #[test]
 pub(crate) fn l13_a_loop_that_waits_for_a_lost_fragment_never_ends() {
     let distinct = [list(&[5, 1, 3, 2, 4])];
@@ -213,7 +213,7 @@ pub(crate) fn l13_a_loop_that_waits_for_a_lost_fragment_never_ends() {
     assert_eq!(subpasses, ENOUGH, "it was left after the limit");
 }
 
-/// Erratum L2. The text's n - 1 a subpass loses one with each that overflows, because it goes on from the n-th. Going on
+/// Erratum LX02. The text's n - 1 a subpass loses one with each that overflows, because it goes on from the n-th. Going on
 /// from the last that was resolved loses none, within the bound that the text gives; with n = 1 it stands still.
 #[test]
 pub(crate) fn l12_n_minus_1_a_pass_but_going_on_from_the_nth_loses_one_a_pass() {
@@ -246,7 +246,7 @@ fn every_complexity(most: u32) -> Vec<Vec<Fragment>> {
     (1..=most).map(|count| list(&depths(count))).collect()
 }
 
-/// Erratum L5. Amended, every pixel is in one segment: the smallest that holds it, and the last if none does.
+/// Erratum LX05. Amended, every pixel is in one segment: the smallest that holds it, and the last if none does.
 #[test]
 pub(crate) fn l11_past_the_last_segment_nothing_is_resolved_as_printed() {
     let lists = every_complexity(600);
@@ -338,14 +338,14 @@ pub(crate) fn l11_the_stencil_s_masks_are_what_arithmetic_says() {
     }
 }
 
-/// Erratum L7: what marks a pixel is not said.
+/// Erratum LX07: what marks a pixel is not said.
 #[test]
 pub(crate) fn l11_of_the_marks_only_invert_works_and_only_up_to_128() {
     let invert = |max| wrong(&times(Counter::Stencil, Mark::Invert, max));
     assert_eq!(
         invert(64),
         (65..=600).collect::<Vec<_>>(),
-        "past the last (L5)"
+        "past the last (LX05)"
     );
     // 255 - 127 = 128 comes after the segment of 128.
     assert_eq!(invert(128), (129..=600).collect::<Vec<_>>());
@@ -362,7 +362,7 @@ pub(crate) fn l11_of_the_marks_only_invert_works_and_only_up_to_128() {
     }
 }
 
-/// Erratum L6: eight bits stay at 255 by INCR, and begin again by INCR_WRAP, where 256 to 264 seem to fit an array of 8.
+/// Erratum LX06: eight bits stay at 255 by INCR, and begin again by INCR_WRAP, where 256 to 264 seem to fit an array of 8.
 #[test]
 pub(crate) fn l11_eight_bits_send_what_is_past_255_to_the_wrong_segment() {
     let lists = every_complexity(600);

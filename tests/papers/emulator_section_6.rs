@@ -72,7 +72,7 @@ pub(crate) fn c18_the_sentence_moves_one_depth_and_the_printed_factors_multiply_
         let sentence = before.last().copied().unwrap_or(1.0);
         let product = before.iter().product::<f32>();
         assert_eq!(color(&Loop::B.amendments()), sentence, "{n}");
-        assert_eq!(color(&Loop::B.without("X16")), product, "{n}");
+        assert_eq!(color(&Loop::B.without("CX16")), product, "{n}");
         // Right by chance up to two surfaces that lower the depth, because the color was cleared to 1.
         assert_eq!(product == sentence, n <= 2, "{n}");
         differ += usize::from(product < depths[n - 1]);

@@ -122,7 +122,7 @@ fn figure_2_fits_eighteen_orders_with_half_open_ranges_and_none_with_closed_ones
             assert!(depth(nearer) < depth(farther), "{depths:?}");
         }
         assert!(depth(3) < depth(10) && depth(10) < depth(9) && depth(9) < depth(7));
-        // X1: pass 3 never leaves D(s9), as the text says, since what fails the depth test writes no depth.
+        // CX01: pass 3 never leaves D(s9), as the text says, since what fails the depth test writes no depth.
         assert_eq!(left, depth(7));
     }
 }

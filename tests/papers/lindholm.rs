@@ -11,7 +11,7 @@ use onionskin::{Fragment, Rgba};
 
 use crate::kit::chance::Chance;
 
-/// As printed, with a condition that ends it (erratum L3).
+/// As printed, with a condition that ends it (erratum LX03).
 const PRINTED: [Amendment<ListLine>; 1] = [STOP];
 /// As the text beside the pseudocode says, likewise.
 const TEXT: [Amendment<ListLine>; 2] = [AS_THE_TEXT_SAYS, STOP];
@@ -72,7 +72,7 @@ fn l13_amended_peeling_is_a_stable_sort_of_every_small_list() {
     }
 }
 
-/// Erratum L1. Twenty coplanar fragments and a buffer of eight: twelve are lost.
+/// Erratum LX01. Twenty coplanar fragments and a buffer of eight: twelve are lost.
 #[test]
 fn l13_printed_peeling_loses_coplanar_fragments() {
     assert_eq!(peel(&[5; 20], 8, &PRINTED).lost, 12);
@@ -88,7 +88,7 @@ fn l13_printed_peeling_loses_coplanar_fragments() {
     assert!(0 < few && few < 150 && few < some && some < most && most > 2000);
 }
 
-/// Erratum L2. The text resolves n - 1 of n but takes the minimum from the n-th: one fragment is lost with each subpass
+/// Erratum LX02. The text resolves n - 1 of n but takes the minimum from the n-th: one fragment is lost with each subpass
 /// that overflowed.
 #[test]
 fn l12_resolving_n_minus_1_but_going_on_from_the_nth_loses_one_a_pass() {
@@ -104,7 +104,7 @@ fn l12_resolving_n_minus_1_but_going_on_from_the_nth_loses_one_a_pass() {
     assert_eq!([24_u32.div_ceil(7), 64_u32.div_ceil(7)], [4, 10]);
 }
 
-/// Erratum L3. "Until all fragments are resolved", read as a count, never holds once a tie is lost.
+/// Erratum LX03. "Until all fragments are resolved", read as a count, never holds once a tie is lost.
 #[test]
 fn l13_a_loop_that_waits_for_a_lost_tie_never_ends() {
     let mut chance = Chance::new(2);
@@ -123,7 +123,7 @@ fn l13_a_loop_that_waits_for_a_lost_tie_never_ends() {
     assert!(lists.iter().all(|depths| peel(depths, 8, &others).ended));
 }
 
-/// Erratum L4. Min depth 0 and `<=`: a fragment at the near plane is never seen.
+/// Erratum LX04. Min depth 0 and `<=`: a fragment at the near plane is never seen.
 #[test]
 fn l13_a_fragment_at_depth_0_is_skipped_as_printed() {
     assert_eq!(peel(&[0, 3, 4], 8, &PRINTED).lost, 1);

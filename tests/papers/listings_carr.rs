@@ -42,7 +42,7 @@ fn every_amendment_of_the_loops_shows_where_it_holds() {
 }
 
 #[test]
-pub(crate) fn x25_the_passes_of_section_5_are_six() {
+pub(crate) fn cx25_the_passes_of_section_5_are_six() {
     // "Using five passes", says the opening of section 5.
     let draws = print::listing(&coherent::LOOP_A, &[])
         .matches("drawTransparentObjects")
@@ -55,7 +55,7 @@ pub(crate) fn x25_the_passes_of_section_5_are_six() {
 }
 
 #[test]
-pub(crate) fn x18_three_calls_of_section_6_do_nothing() {
+pub(crate) fn cx18_three_calls_of_section_6_do_nothing() {
     // glClearStencil without a clear of the stencil, and a clear of the depth that the next line makes again.
     let text = print::listing(&passes::SECTION_6, &[]);
     assert!(

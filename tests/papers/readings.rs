@@ -46,9 +46,9 @@ fn as_printed_variant_a_is_right_between_the_planes() {
     }
 }
 
-/// X16 is section 6's one error between the planes: the printed blend factors.
+/// CX16 is section 6's one error between the planes: the printed blend factors.
 #[test]
-fn x16_as_printed_variant_b_is_wrong_by_its_blend_factors_alone() {
+fn cx16_as_printed_variant_b_is_wrong_by_its_blend_factors_alone() {
     let mut wrong = 0;
     for pixels in images() {
         wrong += emulate(Loop::B, &pixels, &FILLINGS).bad(&pixels);
@@ -60,9 +60,9 @@ fn x16_as_printed_variant_b_is_wrong_by_its_blend_factors_alone() {
     assert!(wrong > 1000, "{wrong}");
 }
 
-/// X9: exactly the pixels with a surface on the near plane.
+/// CX09: exactly the pixels with a surface on the near plane.
 #[test]
-fn x9_as_printed_exactly_what_lies_on_the_near_plane_is_lost() {
+fn cx09_as_printed_exactly_what_lies_on_the_near_plane_is_lost() {
     let mut chance = Chance::new(9);
     let pixels: Vec<Pixel> = (0..1024)
         .map(|_| pixel((0..6).map(|_| chance.below(16) as f32 / 16.0)))
@@ -85,9 +85,9 @@ fn x9_as_printed_exactly_what_lies_on_the_near_plane_is_lost() {
     );
 }
 
-/// X8: exactly the pixels with a transparent surface on the opaque one, and the loop never ends.
+/// CX08: exactly the pixels with a transparent surface on the opaque one, and the loop never ends.
 #[test]
-fn x8_as_printed_exactly_what_lies_on_the_opaque_surface_is_wrong_and_nothing_ends() {
+fn cx08_as_printed_exactly_what_lies_on_the_opaque_surface_is_wrong_and_nothing_ends() {
     let mut chance = Chance::new(8);
     let pixels: Vec<Pixel> = (0..1024)
         .map(|_| {
@@ -124,7 +124,7 @@ fn x8_as_printed_exactly_what_lies_on_the_opaque_surface_is_wrong_and_nothing_en
 fn every_filling_is_needed() {
     let pixels = random_image(16);
     let right = amended(Loop::A, &pixels).iterations();
-    for key in ["X12", "X13", "X4", "X5"] {
+    for key in ["CX12", "CX13", "CX04", "CX05"] {
         let others: Vec<_> = filled(&[MOVE_DEPTH])
             .into_iter()
             .filter(|it| it.key != key)
@@ -137,9 +137,9 @@ fn every_filling_is_needed() {
             a.iterations()
         );
         match key {
-            "X4" => assert!(wrong == 0 && a.iterations() > right, "{key}"),
+            "CX04" => assert!(wrong == 0 && a.iterations() > right, "{key}"),
             // The colours are erased, which the record of what was composited does not say: x13 looks at colours.
-            "X13" => {}
+            "CX13" => {}
             _ => assert!(wrong > 1000, "{key}: {wrong}"),
         }
     }

@@ -80,7 +80,7 @@ claims! {
                    is not: it compares with a predecessor that may lie outside of the range (CX07).",
         tests: [
             papers::emulator_figure_2::c06_the_passes_find_what_section_4_defines,
-            papers::emulator_figure_2::x7_a_predecessor_outside_of_the_range_hides_a_surface_that_is_out_of_order,
+            papers::emulator_figure_2::cx07_a_predecessor_outside_of_the_range_hides_a_surface_that_is_out_of_order,
         ],
     }
     C07 ("figure 2, pass 1") Reproduced {
@@ -101,7 +101,7 @@ claims! {
                    (CX02).",
         tests: [
             papers::emulator_figure_2::c08_pass_2_stops_at_s2,
-            papers::emulator_figure_2::x2_s1_is_not_skipped_in_pass_2_but_drawn,
+            papers::emulator_figure_2::cx02_s1_is_not_skipped_in_pass_2_but_drawn,
             gl::figure_2::c07_to_c10_figure_2_on_opengl,
         ],
     }
@@ -112,7 +112,7 @@ claims! {
                    writes none (CX01). Nothing later reads it.",
         tests: [
             papers::emulator_figure_2::c09_pass_3_counts_s3_s5_s6_and_s7_and_s9_inverts_the_count,
-            papers::emulator_figure_2::x1_s9_does_not_set_the_depth_in_pass_3,
+            papers::emulator_figure_2::cx01_s9_does_not_set_the_depth_in_pass_3,
             gl::figure_2::c07_to_c10_figure_2_on_opengl,
         ],
     }
@@ -131,8 +131,8 @@ claims! {
                    fit the figure.",
         tests: [
             papers::emulator_figure_2::c11_pass_5_composites_the_run_and_pass_6_what_ends_it,
-            papers::emulator_carr_errata::x5_a_closed_range_in_pass_5_composites_the_bound_twice,
-            papers::emulator_carr_errata::x12_state_left_behind_loses_surfaces,
+            papers::emulator_carr_errata::cx05_a_closed_range_in_pass_5_composites_the_bound_twice,
+            papers::emulator_carr_errata::cx12_state_left_behind_loses_surfaces,
         ],
     }
     C12 ("abstract") InKind {
@@ -182,7 +182,7 @@ claims! {
                    (CX08). The query costs an iteration that finds nothing.",
         tests: [
             papers::emulator_carr_claims::c16_the_loop_stops_when_the_compositing_phase_draws_nothing,
-            papers::emulator_carr_errata::x10_counting_pass_5_alone_ends_the_loop_too_early,
+            papers::emulator_carr_errata::cx10_counting_pass_5_alone_ends_the_loop_too_early,
         ],
     }
     C17 ("section 6") Amended {
@@ -203,7 +203,7 @@ claims! {
                    becomes the product of all earlier depths, right by chance for up to two surfaces (CX16).",
         tests: [
             papers::emulator_section_6::c18_the_sentence_moves_one_depth_and_the_printed_factors_multiply_all,
-            papers::emulator_carr_errata::x16_the_printed_blend_factors_multiply_all_earlier_depths,
+            papers::emulator_carr_errata::cx16_the_printed_blend_factors_multiply_all_earlier_depths,
         ],
     }
     C19 ("section 7, Algorithm 2") Amended {
@@ -247,7 +247,7 @@ claims! {
                    composited in every iteration as printed (CX08).",
         tests: [
             papers::emulator_carr_claims::c22_nothing_behind_the_opaque_depth_is_composited_or_counted,
-            papers::emulator_carr_errata::x8_surfaces_on_the_opaque_surface_are_composited_for_ever,
+            papers::emulator_carr_errata::cx08_surfaces_on_the_opaque_surface_are_composited_for_ever,
             gl::claims_carr::c22_opaque_surfaces_bound_every_method,
         ],
     }

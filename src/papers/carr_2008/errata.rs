@@ -8,13 +8,13 @@ errata! {
         executed: "s9 fails the depth test, and what fails writes no depth. It stays D(s7), in each of the 18 orders \
                    of depth that fit the figure.",
         change: "\"leaves the depth at D(s7)\". Nothing later reads it.",
-        tests: [papers::emulator_figure_2::x1_s9_does_not_set_the_depth_in_pass_3],
+        tests: [papers::emulator_figure_2::cx01_s9_does_not_set_the_depth_in_pass_3],
     }
     CX02 ("section 5.1, pass 2") Error {
         printed: "In figure 2, s1 is skipped.",
         executed: "s1 passes both tests, is drawn, and counts the stencil down from 3 to 2.",
         change: "\"s1 and s2 pass, and s3 is stopped\".",
-        tests: [papers::emulator_figure_2::x2_s1_is_not_skipped_in_pass_2_but_drawn],
+        tests: [papers::emulator_figure_2::cx02_s1_is_not_skipped_in_pass_2_but_drawn],
     }
     CX03 ("sections 4.1, 4.2 and 5") Contradiction {
         printed: "The range is [D(s_n), z_min_prev) in 4.1 and (D(s_n), min(...)] in 4.2. In 5 its end has no \
@@ -25,7 +25,7 @@ errata! {
                  U itself.",
         tests: [
             papers::emulator_figure_2::exactly_18_orders_of_s1_to_s10_fit_figure_2_s_text,
-            papers::emulator_carr_errata::x4_a_closed_range_in_passes_3_and_4_costs_iterations,
+            papers::emulator_carr_errata::cx04_a_closed_range_in_passes_3_and_4_costs_iterations,
         ],
     }
     CX04 ("section 5.1, passes 3 and 4") Gap {
@@ -35,28 +35,28 @@ errata! {
                    the run: 24 random surfaces take 25 iterations instead of 13, and sorted ones with two exchanges \
                    25 instead of 6.",
         change: "Read it as half open, as that sentence asks.",
-        tests: [papers::emulator_carr_errata::x4_a_closed_range_in_passes_3_and_4_costs_iterations],
+        tests: [papers::emulator_carr_errata::cx04_a_closed_range_in_passes_3_and_4_costs_iterations],
     }
     CX05 ("section 5.2, pass 5") Gap {
         printed: "The upper end of the range has no bracket, and pass 6 peels the surface at it.",
         executed: "If it is read as closed, the surface at the bound is composited by both passes: more than 1000 of \
                    1024 pixels of eight random surfaces are wrong. Sorted ones are right.",
         change: "Read it as half open, as pass 6 implies.",
-        tests: [papers::emulator_carr_errata::x5_a_closed_range_in_pass_5_composites_the_bound_twice],
+        tests: [papers::emulator_carr_errata::cx05_a_closed_range_in_pass_5_composites_the_bound_twice],
     }
     CX06 ("section 4.2") Error {
         printed: "The tight bound on the range is (D(s_n), min(z_min_prev, z_min_post)].",
         executed: "Open below, s_n itself is never composited: more than 800 of 1024 pixels of eight random surfaces \
                    are wrong.",
         change: "[D(s_n), ...",
-        tests: [papers::emulator_carr_errata::x6_a_range_that_is_open_below_loses_s_n],
+        tests: [papers::emulator_carr_errata::cx06_a_range_that_is_open_below_loses_s_n],
     }
     CX07 ("section 4.2") Error {
         printed: "A surface s_i is out of order if D(s_i) <= D(s_(i-1)), whatever s_(i-1) is.",
         executed: "The predecessor may have been peeled or lie outside of the range. z_min_post by this definition \
                    is not what the passes find in 152 of 1024 random sequences of 8 surfaces, and in 224 of 16.",
         change: "Compare with the previous surface inside of [D(s_n), z_min_prev). Passes 3 and 4 do.",
-        tests: [papers::emulator_figure_2::x7_a_predecessor_outside_of_the_range_hides_a_surface_that_is_out_of_order],
+        tests: [papers::emulator_figure_2::cx07_a_predecessor_outside_of_the_range_hides_a_surface_that_is_out_of_order],
     }
     CX08 ("section 5.2, pass 6") Error {
         printed: "The surface at the upper bound is peeled with a z equals test.",
@@ -64,8 +64,8 @@ errata! {
                    every iteration. All of 1024 pixels are wrong and the loop never ends.",
         change: "z = U, and z < opaque_depth.",
         tests: [
-            papers::emulator_carr_errata::x8_surfaces_on_the_opaque_surface_are_composited_for_ever,
-            gl::claims_carr_options::x8_what_never_ends_is_given_up_and_says_so,
+            papers::emulator_carr_errata::cx08_surfaces_on_the_opaque_surface_are_composited_for_ever,
+            gl::claims_carr_options::cx08_what_never_ends_is_given_up_and_says_so,
         ],
     }
     CX09 ("section 5.1") Error {
@@ -73,42 +73,42 @@ errata! {
         executed: "What lies on the near plane is lost, in every pixel that has something there.",
         change: "Begin before the near plane. A depth map cannot hold that, so the first iteration's range is closed \
                  below.",
-        tests: [papers::emulator_carr_errata::x9_surfaces_on_the_near_plane_are_lost],
+        tests: [papers::emulator_carr_errata::cx09_surfaces_on_the_near_plane_are_lost],
     }
     CX10 ("section 5.2") Gap {
         printed: "Occlusion queries during the compositing phase tell when nothing is left.",
         executed: "If that is read as pass 5 alone, the loop ends too early where s_n has a tie and the run is \
                    empty: in 333 of 400 images of one pixel.",
         change: "Count passes 5 and 6.",
-        tests: [papers::emulator_carr_errata::x10_counting_pass_5_alone_ends_the_loop_too_early],
+        tests: [papers::emulator_carr_errata::cx10_counting_pass_5_alone_ends_the_loop_too_early],
     }
     CX11 ("section 5.1, pass 2") Contradiction {
         printed: "Pass 1 counts in (D(s_c), opaque_depth), and pass 2 counts down in (D(s_c), opaque_depth].",
         executed: "Where a surface lies on the opaque one the counts differ and z_min_prev is too loose. The image \
                    is right, and takes 6 iterations instead of 5.",
         change: "Open in both.",
-        tests: [papers::emulator_carr_errata::x11_a_closed_range_in_pass_2_only_costs_iterations],
+        tests: [papers::emulator_carr_errata::cx11_a_closed_range_in_pass_2_only_costs_iterations],
     }
     CX12 ("section 5.2, passes 5 and 6") Gap {
         printed: "A standard compositing pass clips to the range.",
         executed: "It has no listing. With the stencil and depth tests of pass 4 left on, more than 1000 of 1024 \
                    pixels are wrong, in both variants.",
         change: "Disable both tests and enable blending before pass 5. Undo it before the next iteration.",
-        tests: [papers::emulator_carr_errata::x12_state_left_behind_loses_surfaces],
+        tests: [papers::emulator_carr_errata::cx12_state_left_behind_loses_surfaces],
     }
     CX13 ("section 5.1, passes 2 and 4") Gap {
         printed: "The passes clear colour to white.",
         executed: "In one framebuffer with the image, they erase what has been composited: all of 1024 pixels are \
                    wrong.",
         change: "Mask colour in the passes that find depths, or give them a framebuffer of their own.",
-        tests: [papers::emulator_carr_errata::x13_white_clears_erase_the_image],
+        tests: [papers::emulator_carr_errata::cx13_white_clears_erase_the_image],
     }
     CX14 ("sections 5.2 and 6") Gap {
         printed: "Blending is enabled for compositing and by section 6's pass, and never disabled.",
         executed: "Harmless where maps are copies of the depth buffer, as here: the image is the same bit for bit. \
                    It would spoil maps that are read from colour.",
         change: "None, if maps are depths.",
-        tests: [papers::emulator_carr_errata::x14_blending_left_on_does_no_harm_where_maps_are_depths],
+        tests: [papers::emulator_carr_errata::cx14_blending_left_on_does_no_harm_where_maps_are_depths],
     }
     CX15 ("section 5.1") Gap {
         printed: "Depths are stored in maps.",
@@ -124,42 +124,42 @@ errata! {
                    before. Two surfaces come out right by chance; of eight random ones, 715 of 1024 pixels are \
                    wrong.",
         change: "(DST_ALPHA, ZERO, ONE, ZERO), as the sentence says.",
-        tests: [papers::emulator_carr_errata::x16_the_printed_blend_factors_multiply_all_earlier_depths],
+        tests: [papers::emulator_carr_errata::cx16_the_printed_blend_factors_multiply_all_earlier_depths],
     }
     CX17 ("section 6") Gap {
         printed: "Depths are kept in colour channels by floating point blending.",
         executed: "Of which precision is not said. 16-bit floats round z_min_prev, which may come to lie before \
                    D(s_n): 4 of 1024 pixels are wrong, after 17 iterations instead of 9.",
         change: "32-bit floats.",
-        tests: [papers::emulator_carr_errata::x17_sixteen_bit_floats_are_not_enough_for_depths],
+        tests: [papers::emulator_carr_errata::cx17_sixteen_bit_floats_are_not_enough_for_depths],
     }
     CX18 ("section 6") Name {
         printed: "glClearStencil without a clear of the stencil, glClear of the depth and again with the colour, and \
                   z_prev_min for z_min_prev.",
         executed: "Three calls do nothing, and a name is turned around.",
         change: "Leave them out.",
-        tests: [papers::listings_carr::x18_three_calls_of_section_6_do_nothing],
+        tests: [papers::listings_carr::cx18_three_calls_of_section_6_do_nothing],
     }
     CX19 ("Algorithm 1, line 17") Error {
         printed: "zPeel < zFragment < zPeelNext",
         executed: "Sorted surfaces exactly at a peel's depth are lost: 801 of 1024 pixels of 20 surfaces on 64 \
                    depths are wrong.",
         change: "zPeel <= zFragment < zPeelNext. Of equal depths the unsorted ones come first.",
-        tests: [papers::emulator_carr_errata::x19_sorted_surfaces_at_a_peel_depth_are_lost],
+        tests: [papers::emulator_carr_errata::cx19_sorted_surfaces_at_a_peel_depth_are_lost],
     }
     CX20 ("Algorithm 1, line 23") Error {
         printed: "zFragment = zPeelNext",
         executed: "Where nothing is left, zPeelNext is zOpaque, and unsorted surfaces on the opaque one are \
                    composited in every iteration: 842 of 1024 pixels are wrong.",
         change: "... and zFragment < zOpaque",
-        tests: [papers::emulator_carr_errata::x20_unsorted_surfaces_on_the_opaque_surface_are_composited_in_every_iteration],
+        tests: [papers::emulator_carr_errata::cx20_unsorted_surfaces_on_the_opaque_surface_are_composited_in_every_iteration],
     }
     CX21 ("Algorithm 1, line 2") Error {
         printed: "zPeel <- zNear",
         executed: "Unsorted surfaces on the near plane are lost, in more than 100 of 1024 pixels of eight surfaces \
                    on 16 depths.",
         change: "Begin before zNear.",
-        tests: [papers::emulator_carr_errata::x21_unsorted_surfaces_on_the_near_plane_are_lost],
+        tests: [papers::emulator_carr_errata::cx21_unsorted_surfaces_on_the_near_plane_are_lost],
     }
     CX22 ("Algorithm 2, lines 10 and 31") Error {
         printed: "zPeel <- z3, and what lies at zPeel is composited in pass 1.",
@@ -168,8 +168,8 @@ errata! {
                    the loop ends with it.",
         change: "z3 <- zOpaque after line 10, and zFragment < zOpaque in line 31.",
         tests: [
-            papers::emulator_carr_errata::x22_pixels_that_are_done_composite_their_last_layer_again,
-            gl::claims_carr_options::x22_as_printed_the_ideal_gpu_composites_layers_again,
+            papers::emulator_carr_errata::cx22_pixels_that_are_done_composite_their_last_layer_again,
+            gl::claims_carr_options::cx22_as_printed_the_ideal_gpu_composites_layers_again,
         ],
     }
     CX23 ("Algorithm 2, line 37") Gap {
@@ -177,7 +177,7 @@ errata! {
         executed: "Reversed surfaces take an iteration each, where section 5 takes one for two: 16 take 17 instead \
                    of 9.",
         change: "End at z2 where nothing broke the run, and go on from there. It is an improvement, not a correction.",
-        tests: [papers::emulator_carr_errata::x23_the_tighter_bound_halves_reversed_input],
+        tests: [papers::emulator_carr_errata::cx23_the_tighter_bound_halves_reversed_input],
     }
     CX24 ("Algorithm 2, gChanged") Gap {
         printed: "gChanged tells whether a fragment was found; Algorithm 1 notes an occlusion query beside it.",
@@ -190,7 +190,7 @@ errata! {
         printed: "The opening promises five passes. Section 6 brings \"the total count to five\" by saving one.",
         executed: "Section 5 has six, as Table 1 counts (7 iterations, 42 geometry passes).",
         change: "\"six passes\".",
-        tests: [papers::listings_carr::x25_the_passes_of_section_5_are_six],
+        tests: [papers::listings_carr::cx25_the_passes_of_section_5_are_six],
     }
     CX26 ("section 5.1, pass 4") Name {
         printed: "\"The logic in Figure 5.1\".",

@@ -56,16 +56,16 @@ pub const ALGORITHM_1: Pseudocode = Pseudocode {
 /// The corrections of Algorithm 1.
 pub const AMENDMENTS_1: [Amendment<Line>; 3] = [
     Amendment {
-        key: "X21",
+        key: "CX21",
         kind: Kind::Correction,
         place: "Algorithm 1, line 2",
         printed: pseudo! { zPeel <- zNear; },
         amended: pseudo! { zPeel <- before zNear; },
         why: "what lies on the near plane is peeled too",
-        test: "x21_unsorted_surfaces_on_the_near_plane_are_lost",
+        test: "cx21_unsorted_surfaces_on_the_near_plane_are_lost",
     },
     Amendment {
-        key: "X19",
+        key: "CX19",
         kind: Kind::Correction,
         place: "Algorithm 1, line 17",
         printed: pseudo! {
@@ -79,10 +79,10 @@ pub const AMENDMENTS_1: [Amendment<Line>; 3] = [
             }
         },
         why: "sorted surfaces at a peel's depth come right behind the unsorted ones",
-        test: "x19_sorted_surfaces_at_a_peel_depth_are_lost",
+        test: "cx19_sorted_surfaces_at_a_peel_depth_are_lost",
     },
     Amendment {
-        key: "X20",
+        key: "CX20",
         kind: Kind::Correction,
         place: "Algorithm 1, line 23",
         printed: pseudo! {
@@ -96,7 +96,7 @@ pub const AMENDMENTS_1: [Amendment<Line>; 3] = [
             }
         },
         why: "what lies on the opaque surface is hidden",
-        test: "x20_unsorted_surfaces_on_the_opaque_surface_are_composited_in_every_iteration",
+        test: "cx20_unsorted_surfaces_on_the_opaque_surface_are_composited_in_every_iteration",
     },
 ];
 
@@ -241,7 +241,7 @@ const UNSORTED_AT_PEEL: Listing = Listing {
 /// [`AMENDMENTS_1`] on OpenGL.
 pub const AMENDMENTS: [Amendment; 3] = [
     Amendment {
-        key: "X21",
+        key: "CX21",
         kind: Kind::Correction,
         place: "Algorithm 1, line 2",
         printed: steps! { glUseProgram(OPEN_OPEN); },
@@ -254,25 +254,25 @@ pub const AMENDMENTS: [Amendment; 3] = [
             }
         },
         why: "what lies on the near plane is peeled too",
-        test: "x21_unsorted_surfaces_on_the_near_plane_are_lost",
+        test: "cx21_unsorted_surfaces_on_the_near_plane_are_lost",
     },
     Amendment {
-        key: "X19",
+        key: "CX19",
         kind: Kind::Correction,
         place: "Algorithm 1, line 17",
         printed: steps! { glUseProgram(BETWEEN_PEELS_AS_PRINTED); },
         amended: steps! { glUseProgram(CLOSED_OPEN); },
         why: "sorted surfaces at a peel's depth come right behind the unsorted ones",
-        test: "x19_sorted_surfaces_at_a_peel_depth_are_lost",
+        test: "cx19_sorted_surfaces_at_a_peel_depth_are_lost",
     },
     Amendment {
-        key: "X20",
+        key: "CX20",
         kind: Kind::Correction,
         place: "Algorithm 1, line 23",
         printed: steps! { glUseProgram(AT_BOUND_AS_PRINTED); },
         amended: steps! { glUseProgram(AT_BOUND); },
         why: "what lies on the opaque surface is hidden",
-        test: "x20_unsorted_surfaces_on_the_opaque_surface_are_composited_in_every_iteration",
+        test: "cx20_unsorted_surfaces_on_the_opaque_surface_are_composited_in_every_iteration",
     },
 ];
 

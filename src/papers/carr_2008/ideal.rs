@@ -79,7 +79,7 @@ pub const AMENDMENTS_2: [Amendment<Line>; 2] = [RESET_Z3, BEFORE_OPAQUE];
 
 /// A pixel with nothing left keeps `z3`, hence `zPeel`, and composites its last layer again in every further iteration.
 pub const RESET_Z3: Amendment<Line> = Amendment {
-    key: "X22",
+    key: "CX22",
     kind: Kind::Correction,
     place: "Algorithm 2, line 10",
     printed: pseudo! { zPeel <- z3; },
@@ -88,12 +88,12 @@ pub const RESET_Z3: Amendment<Line> = Amendment {
         z3 <- zOpaque;
     },
     why: "a pixel with nothing left must not stay where it is",
-    test: "x22_pixels_that_are_done_composite_their_last_layer_again",
+    test: "cx22_pixels_that_are_done_composite_their_last_layer_again",
 };
 
 /// If nothing is left, `zPeel` becomes the opaque depth.
 pub const BEFORE_OPAQUE: Amendment<Line> = Amendment {
-    key: "X22",
+    key: "CX22",
     kind: Kind::Correction,
     place: "Algorithm 2, line 31",
     printed: pseudo! {
@@ -107,14 +107,14 @@ pub const BEFORE_OPAQUE: Amendment<Line> = Amendment {
         }
     },
     why: "what lies on the opaque surface is hidden",
-    test: "x22_pixels_that_are_done_composite_their_last_layer_again",
+    test: "cx22_pixels_that_are_done_composite_their_last_layer_again",
 };
 
 /// An improvement that the printed `z2` suggests: an unbroken run ends at the loose bound `z2`, not at its own last
-/// surface. It also corrects X22.
+/// surface. It also corrects CX22.
 pub const TIGHT_BOUND: [Amendment<Line>; 4] = [
     Amendment {
-        key: "X23",
+        key: "CX23",
         kind: Kind::Edition,
         place: "Algorithm 2, lines 1 to 3",
         printed: pseudo! { z3 <- zNear; },
@@ -124,10 +124,10 @@ pub const TIGHT_BOUND: [Amendment<Line>; 4] = [
             zPostFlag <- false;
         },
         why: "what the first iteration reads",
-        test: "x23_the_tighter_bound_halves_reversed_input",
+        test: "cx23_the_tighter_bound_halves_reversed_input",
     },
     Amendment {
-        key: "X23",
+        key: "CX23",
         kind: Kind::Edition,
         place: "Algorithm 2, lines 8 to 10",
         printed: pseudo! {
@@ -141,11 +141,11 @@ pub const TIGHT_BOUND: [Amendment<Line>; 4] = [
             z2 <- zOpaque;
         },
         why: "the run ended where pass 2 stopped",
-        test: "x23_the_tighter_bound_halves_reversed_input",
+        test: "cx23_the_tighter_bound_halves_reversed_input",
     },
     BEFORE_OPAQUE,
     Amendment {
-        key: "X23",
+        key: "CX23",
         kind: Kind::Edition,
         place: "Algorithm 2, line 37",
         printed: pseudo! {
@@ -160,7 +160,7 @@ pub const TIGHT_BOUND: [Amendment<Line>; 4] = [
             }
         },
         why: "an unbroken run ends at z2",
-        test: "x23_the_tighter_bound_halves_reversed_input",
+        test: "cx23_the_tighter_bound_halves_reversed_input",
     },
 ];
 
@@ -217,45 +217,45 @@ const FROM_THE_NEAR_PLANE: Listing = Listing {
 /// [`AMENDMENTS_2`] on OpenGL.
 pub const AMENDMENTS: [Amendment; 2] = [
     Amendment {
-        key: "X22",
+        key: "CX22",
         kind: Kind::Correction,
         place: "Algorithm 2, line 10",
         printed: steps! { glUseProgram(BEGIN_AS_PRINTED); },
         amended: steps! { glUseProgram(BEGIN); },
         why: "a pixel with nothing left must not stay where it is",
-        test: "x22_pixels_that_are_done_composite_their_last_layer_again",
+        test: "cx22_pixels_that_are_done_composite_their_last_layer_again",
     },
     Amendment {
-        key: "X22",
+        key: "CX22",
         kind: Kind::Correction,
         place: "Algorithm 2, line 31",
         printed: steps! { glUseProgram(PASS_1_AS_PRINTED); },
         amended: steps! { glUseProgram(PASS_1); },
         why: "what lies on the opaque surface is hidden",
-        test: "x22_pixels_that_are_done_composite_their_last_layer_again",
+        test: "cx22_pixels_that_are_done_composite_their_last_layer_again",
     },
 ];
 
 /// [`TIGHT_BOUND`] on OpenGL.
 pub const TIGHT_BOUND_ON_GL: [Amendment; 3] = [
     Amendment {
-        key: "X23",
+        key: "CX23",
         kind: Kind::Edition,
         place: "Algorithm 2, lines 8 to 10",
         printed: steps! { glUseProgram(BEGIN_AS_PRINTED); },
         amended: steps! { glUseProgram(BEGIN_TIGHT); },
         why: "the run ended where pass 2 stopped",
-        test: "x23_the_tighter_bound_halves_reversed_input",
+        test: "cx23_the_tighter_bound_halves_reversed_input",
     },
     AMENDMENTS[1],
     Amendment {
-        key: "X23",
+        key: "CX23",
         kind: Kind::Edition,
         place: "Algorithm 2, line 37",
         printed: steps! { glUseProgram(PASS_2_AS_PRINTED); },
         amended: steps! { glUseProgram(PASS_2_TIGHT); },
         why: "an unbroken run ends at z2",
-        test: "x23_the_tighter_bound_halves_reversed_input",
+        test: "cx23_the_tighter_bound_halves_reversed_input",
     },
 ];
 

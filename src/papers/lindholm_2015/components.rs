@@ -107,9 +107,9 @@ pub const PP_DP: Pseudocode<ListLine> = Pseudocode {
 /// The corrections of ppDP.
 pub const PP_DP_AMENDMENTS: [Amendment<ListLine>; 4] = [START, SKIP_BY_ID, STORE_ID, STOP];
 
-/// Erratum L4.
+/// Erratum LX04.
 pub const START: Amendment<ListLine> = Amendment {
-    key: "L4",
+    key: "LX04",
     kind: Kind::Correction,
     place: "section 5.2, set min depth to 0",
     printed: lists! { set min depth to 0; },
@@ -118,9 +118,9 @@ pub const START: Amendment<ListLine> = Amendment {
     test: "l13_what_lies_at_depth_0_is_skipped_as_printed",
 };
 
-/// Erratum L1.
+/// Erratum LX01.
 pub const SKIP_BY_ID: Amendment<ListLine> = Amendment {
-    key: "L1",
+    key: "LX01",
     kind: Kind::Correction,
     place: "section 5.2, if depth(f) ≤ min depth",
     printed: lists! {
@@ -145,9 +145,9 @@ pub const SKIP_BY_ID: Amendment<ListLine> = Amendment {
     test: "l13_ties_are_lost_where_a_buffer_ends_as_printed",
 };
 
-/// Erratum L1, where the next subpass begins.
+/// Erratum LX01, where the next subpass begins.
 pub const STORE_ID: Amendment<ListLine> = Amendment {
-    key: "L1",
+    key: "LX01",
     kind: Kind::Correction,
     place: "section 5.2, store min depth",
     printed: lists! { store min depth of last buffer element; },
@@ -156,10 +156,10 @@ pub const STORE_ID: Amendment<ListLine> = Amendment {
     test: "l13_ties_are_lost_where_a_buffer_ends_as_printed",
 };
 
-/// Erratum L3. The printed condition, read as a count, never holds once a fragment is lost. But what is processed is told
+/// Erratum LX03. The printed condition, read as a count, never holds once a fragment is lost. But what is processed is told
 /// by min depth alone: then nothing is left behind min depth as soon as a subpass has dropped nothing.
 pub const STOP: Amendment<ListLine> = Amendment {
-    key: "L3",
+    key: "LX03",
     kind: Kind::Filling(
         "Section 5.2: \"only the minimal depth is used to distinguish processed fragments from fragments yet to be resolved\"",
     ),
@@ -174,10 +174,10 @@ pub const STOP: Amendment<ListLine> = Amendment {
     test: "l13_a_loop_that_waits_for_a_lost_fragment_never_ends",
 };
 
-/// Erratum L2: "the process sorts n-1 elements in the Fragment List per subpass", but min depth is that "of last buffer
+/// Erratum LX02: "the process sorts n-1 elements in the Fragment List per subpass", but min depth is that "of last buffer
 /// element". This is from the text beside the pseudocode.
 pub const AS_THE_TEXT_SAYS: Amendment<ListLine> = Amendment {
-    key: "L2",
+    key: "LX02",
     kind: Kind::Prose("the process sorts n−1 elements in the Fragment List per subpass"),
     place: "section 5.2, resolve buffer",
     printed: lists! { resolve buffer; },
@@ -194,7 +194,7 @@ pub const N_MINUS_1: [Amendment<ListLine>; 5] = [
     AS_THE_TEXT_SAYS,
     Amendment {
         amended: lists! { store min depth and id of last resolved element; },
-        key: "L2",
+        key: "LX02",
         kind: Kind::Correction,
         why: "the n-th was not resolved",
         ..STORE_ID
@@ -202,10 +202,10 @@ pub const N_MINUS_1: [Amendment<ListLine>; 5] = [
     STOP,
 ];
 
-/// The corrections of ppAO, errata L5 to L7. A pixel's count says to which single segment it belongs, so no mark is
+/// The corrections of ppAO, errata LX05 to LX07. A pixel's count says to which single segment it belongs, so no mark is
 /// needed. The last segment takes every pixel that is left, and peels the fragments that its array cannot hold.
 pub const PP_AO_AMENDMENT: Amendment<ListLine> = Amendment {
-    key: "L5, L6, L7",
+    key: "LX05, LX06, LX07",
     kind: Kind::Correction,
     place: "section 5.1, if depth complexity(p) <= i",
     printed: lists! {

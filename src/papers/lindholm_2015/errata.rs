@@ -60,8 +60,8 @@ errata! {
         change: "None is needed if a pixel belongs to one segment by its count.",
         tests: [
             papers::emulator_lists::l11_of_the_marks_only_invert_works_and_only_up_to_128,
-            gl::claims_lindholm_resolve::l07_as_printed_pixels_are_resolved_twice,
-            gl::fused_as_printed::l07_with_a_segment_of_256_the_fog_is_seen_through_itself,
+            gl::claims_lindholm_resolve::lx07_as_printed_pixels_are_resolved_twice,
+            gl::fused_as_printed::lx07_with_a_segment_of_256_the_fog_is_seen_through_itself,
         ],
     }
     LX08 ("section 6.2") Name {

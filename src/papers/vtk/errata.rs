@@ -38,10 +38,10 @@ errata! {
                  another (dual-depth-peeling).",
         tests: [
             peer_vtk::errata::vx03_vtk_merges_or_drops_what_is_coplanar,
-            gl::coplanar::v3_coplanar_peeling_has_every_tie_in_the_order_of_submission,
-            gl::coplanar::v3_red_and_green_at_one_depth_are_red_before_green,
-            gl::dual_peeling::v3_blending_colors_by_max_merges_what_is_coplanar,
-            papers::emulator_coplanar::v3_every_sequence_is_composited_with_its_ties_in_the_order_of_submission,
+            gl::coplanar::vx03_coplanar_peeling_has_every_tie_in_the_order_of_submission,
+            gl::coplanar::vx03_red_and_green_at_one_depth_are_red_before_green,
+            gl::dual_peeling::vx03_blending_colors_by_max_merges_what_is_coplanar,
+            papers::emulator_coplanar::vx03_every_sequence_is_composited_with_its_ties_in_the_order_of_submission,
         ],
     }
     VX04 ("introduction") Program {
@@ -62,7 +62,7 @@ errata! {
         change: "Accumulate in 32-bit floats, as is the default here.",
         tests: [
             peer_vtk::errata::vx05_vtk_s_8_bits_do_not_add_up_faint_layers,
-            gl::claims_vtk_settings::xv5_layers_below_the_step_of_8_bits_are_peeled_and_counted_all_the_same,
+            gl::claims_vtk_settings::vx05_layers_below_the_step_of_8_bits_are_peeled_and_counted_all_the_same,
             gl::accumulation::e12_the_accumulator_s_error_grows_with_depth_complexity_and_with_its_step,
         ],
     }
@@ -74,7 +74,7 @@ errata! {
                  option.",
         tests: [
             peer_vtk::errata::vx06_by_loose_planes_vtk_merges_layers,
-            gl::claims_vtk_settings::xv6_loose_planes_make_ties_which_depth_peeling_loses_and_coherent_peeling_cannot_order,
+            gl::claims_vtk_settings::vx06_loose_planes_make_ties_which_depth_peeling_loses_and_coherent_peeling_cannot_order,
             gl::exact_depth::by_1_over_w_every_method_that_can_keeps_apart_what_window_depth_confuses,
         ],
     }

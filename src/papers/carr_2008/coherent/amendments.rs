@@ -1,4 +1,4 @@
-//! The amendments to sections 5 and 6: corrections, then improvements. Keys X1 to X28 number the errors that were found
+//! The amendments to sections 5 and 6: corrections, then improvements. Keys CX01 to CX28 number the errors that were found
 //! when the text was executed.
 
 use super::loops::*;
@@ -33,7 +33,7 @@ pub const FILLINGS: [Amendment; 5] = [
 
 /// One framebuffer holds the passes' depths and the image, and the passes clear its color.
 pub const CLEAN_STATE: Amendment = Amendment {
-    key: "X13",
+    key: "CX13",
     kind: Kind::Filling(
         "Section 5.1: each pass leaves a count or a depth; section 5.2: \"into the final image (pass 5)\"",
     ),
@@ -44,12 +44,12 @@ pub const CLEAN_STATE: Amendment = Amendment {
         glColorMask(false, false, false, false);
     },
     why: "the white clears of passes 2 and 4 would erase what has been composited",
-    test: "x13_white_clears_erase_the_image",
+    test: "cx13_white_clears_erase_the_image",
 };
 
 /// The same for section 6's pass, whose color is the depth map.
 pub const CLEAN_STATE_B: Amendment = Amendment {
-    key: "X12",
+    key: "CX12",
     kind: Kind::Filling(
         "Section 6: \"Both pass 1 and 2 can be replaced by a single pass\", whose listing has no stencil test",
     ),
@@ -61,12 +61,12 @@ pub const CLEAN_STATE_B: Amendment = Amendment {
         glColorMask(true, true, true, true);
     },
     why: "the stencil test of the iteration before must not meet this pass",
-    test: "x12_state_left_behind_loses_surfaces",
+    test: "cx12_state_left_behind_loses_surfaces",
 };
 
 /// "(D(sc), ..." leaves out surfaces on the near plane.
 pub const FIRST_CLOSED: Amendment = Amendment {
-    key: "X9",
+    key: "CX09",
     kind: Kind::Correction,
     place: "section 5.1, initial D(sc), pass 1",
     printed: steps! { glUseProgram(OPEN_OPEN); },
@@ -78,12 +78,12 @@ pub const FIRST_CLOSED: Amendment = Amendment {
         }
     },
     why: "the first range begins at the near plane, what lies on it included",
-    test: "x9_surfaces_on_the_near_plane_are_lost",
+    test: "cx09_surfaces_on_the_near_plane_are_lost",
 };
 
 /// The same in variant B.
 pub const FIRST_CLOSED_B: Amendment = Amendment {
-    key: "X9",
+    key: "CX09",
     kind: Kind::Correction,
     place: "section 6, initial D(sc)",
     printed: steps! { glUseProgram(PREVIOUS_DEPTH); },
@@ -95,57 +95,57 @@ pub const FIRST_CLOSED_B: Amendment = Amendment {
         }
     },
     why: "the first range begins at the near plane, what lies on it included",
-    test: "x9_surfaces_on_the_near_plane_are_lost",
+    test: "cx09_surfaces_on_the_near_plane_are_lost",
 };
 
 /// Pass 2 counts back what pass 1 has counted, so both must see the same surfaces.
 pub const PASS_2_OPEN: Amendment = Amendment {
-    key: "X11",
+    key: "CX11",
     kind: Kind::Edition,
     place: "section 5.1, pass 2, the range",
     printed: steps! { glUseProgram(OPEN_CLOSED); },
     amended: FIRST_CLOSED.amended,
     why: "pass 2 sees the surfaces that pass 1 has counted, and no others",
-    test: "x11_a_closed_range_in_pass_2_only_costs_iterations",
+    test: "cx11_a_closed_range_in_pass_2_only_costs_iterations",
 };
 
 /// "A blend method that multiplies the source color by the destination alpha": the printed factors multiply the
 /// destination color by it.
 pub const MOVE_DEPTH: Amendment = Amendment {
-    key: "X16",
+    key: "CX16",
     kind: Kind::Correction,
     place: "section 6, the blend function",
     printed: steps! { glBlendFuncSeparate(ZERO, DEST_ALPHA, ONE, ZERO); },
     amended: steps! { glBlendFuncSeparate(DEST_ALPHA, ZERO, ONE, ZERO); },
     why: "source color times destination alpha, as the text says",
-    test: "x16_the_printed_blend_factors_multiply_all_earlier_depths",
+    test: "cx16_the_printed_blend_factors_multiply_all_earlier_depths",
 };
 
 /// If the range is closed above, passes 3 and 4 meet the surface at `z_min_prev` again, which always breaks the run.
 pub const RUN_HALF_OPEN: Amendment = Amendment {
-    key: "X4",
+    key: "CX04",
     kind: Kind::Filling(HALF_OPEN_RESTS_ON),
     place: "section 5.1, the range of passes 3 and 4",
     printed: steps! { run RANGE_3; },
     amended: steps! { run RANGE_3 amended by &[HALF_OPEN]; },
     why: "the surface at z_min_prev has been found already, and would break the run",
-    test: "x4_a_closed_range_in_passes_3_and_4_costs_iterations",
+    test: "cx04_a_closed_range_in_passes_3_and_4_costs_iterations",
 };
 
 /// If the range is closed above, pass 5 composites the surface that pass 6 composites.
 pub const COMPOSITE_HALF_OPEN: Amendment = Amendment {
-    key: "X5",
+    key: "CX05",
     kind: Kind::Filling(HALF_OPEN_RESTS_ON),
     place: "section 5.2, pass 5, the range",
     printed: steps! { run RANGE_5; },
     amended: steps! { run RANGE_5 amended by &[HALF_OPEN]; },
     why: "pass 6 composites the upper bound",
-    test: "x5_a_closed_range_in_pass_5_composites_the_bound_twice",
+    test: "cx05_a_closed_range_in_pass_5_composites_the_bound_twice",
 };
 
 /// The text does not say that pass 4's tests are disabled before pass 5.
 pub const NO_TESTS: Amendment = Amendment {
-    key: "X12",
+    key: "CX12",
     kind: Kind::Filling("Section 5.2: \"A standard compositing pass\""),
     place: "section 5.2, before pass 5",
     printed: steps! { run PASS_5; },
@@ -156,7 +156,7 @@ pub const NO_TESTS: Amendment = Amendment {
         run PASS_5;
     },
     why: "pass 4's stencil and depth tests take no part in compositing",
-    test: "x12_state_left_behind_loses_surfaces",
+    test: "cx12_state_left_behind_loses_surfaces",
 };
 
 /// Sections 5.1 and 5.2 print no closing bracket. Of all orders of submission that fit figure 2's trace, half-open ranges
@@ -165,24 +165,24 @@ const HALF_OPEN_RESTS_ON: &str = "Section 4.1: \"within the range [D(sn),z_min_p
 
 /// [lower, upper] becomes [lower, upper).
 pub const HALF_OPEN: Amendment = Amendment {
-    key: "X3",
+    key: "CX03",
     kind: Kind::Filling(HALF_OPEN_RESTS_ON),
     place: "section 5, the ends of the ranges",
     printed: steps! { glUseProgram(CLOSED_CLOSED); },
     amended: steps! { glUseProgram(CLOSED_OPEN); },
     why: "half open",
-    test: "x4_a_closed_range_in_passes_3_and_4_costs_iterations",
+    test: "cx04_a_closed_range_in_passes_3_and_4_costs_iterations",
 };
 
 /// If the bound is the opaque depth, pass 6 would composite surfaces exactly on the opaque surface, in every iteration.
 pub const BEFORE_OPAQUE: Amendment = Amendment {
-    key: "X8",
+    key: "CX08",
     kind: Kind::Correction,
     place: "section 5.2, pass 6",
     printed: steps! { glUseProgram(AT_BOUND_AS_PRINTED); },
     amended: steps! { glUseProgram(AT_BOUND); },
     why: "what lies on the opaque surface is hidden, and must not keep the loop going",
-    test: "x8_surfaces_on_the_opaque_surface_are_composited_for_ever",
+    test: "cx08_surfaces_on_the_opaque_surface_are_composited_for_ever",
 };
 
 /// An improvement: surfaces of equal depth do not break a run, as in Algorithm 2.
