@@ -16,7 +16,7 @@ use onionskin::{Context, Method, Renderer, Scene, Stats};
 mod example;
 
 /// Small, because layer peeling draws each of 384 slices some 800 times.
-const SIZE: [u32; 2] = [64, 48];
+const SIZE: [u32; 2] = [32, 24];
 const SLICES: [u32; 6] = [16, 32, 64, 128, 256, 384];
 
 fn main() -> onionskin::Result<()> {
@@ -94,7 +94,7 @@ fn scene(count: u32) -> onionskin::Result<Scene> {
     let mut scene = Scene::load_at(example::scene("slices.toml"), Some(SIZE))?;
     scene.meshes[0] = slices(&Slices {
         count,
-        cells: 4,
+        cells: 2,
         alpha: 12.8 / count as f32,
         order: SubmissionOrder::FrontToBack,
         ..Slices::default()

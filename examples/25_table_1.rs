@@ -12,7 +12,7 @@ use onionskin::{Camera, Context, Mesh, Method, Renderer, Scene};
 #[path = "common/example.rs"]
 mod example;
 
-const SIZE: [u32; 2] = [240, 180];
+const SIZE: [u32; 2] = [160, 120];
 const VIEWS: [(&str, [f64; 3]); 3] = [
     ("front", [0.0, 0.0, 1.0]),
     ("side", [1.0, 0.0, 0.0]),
@@ -38,7 +38,7 @@ fn main() -> onionskin::Result<()> {
             print!("{name:<12} {faces:7} {vertices:9}  {view:<5}");
             let mut ms = Vec::new();
             for method in &methods {
-                let frame = renderer.measure(&scene, method, 3)?;
+                let frame = renderer.measure(&scene, method, 1)?;
                 let stats = &frame.stats;
                 let cell = format!("{} it, {} g", stats.iterations, stats.geometry_passes);
                 print!("{cell:>15}");

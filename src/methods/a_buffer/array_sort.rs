@@ -1,6 +1,6 @@
 //! Choosing between the two sorts of a Local Array, if the caller leaves the choice open.
 
-use super::options::{ABufferOptions, ArraySort};
+use super::options::{ABufferOptions, ArraySort, SMALLEST_SEGMENT};
 use crate::gl::network::odd_even_merge;
 
 /// Whether insertion sorts the Local Arrays. `counts` are the pixels' complexities, `layers` is the largest of them.
@@ -24,10 +24,16 @@ pub(super) fn inserts(options: &ABufferOptions, counts: &[u32], layers: u32) -> 
     }
 }
 
-/// The number of pairs that a network compares if it sorts only the part of the array that is ever filled.
+/// The number of elements that a network sorts. Elements beyond the deepest pixel's are empty, and need no comparison. But
+/// every size is a program that the driver compiles, so there are only those of ppAO's segments.
+pub(super) fn network_size(options: &ABufferOptions, layers: u32) -> u32 {
+    let filled = layers.next_power_of_two().max(SMALLEST_SEGMENT);
+    filled.min(options.array)
+}
+
+/// The number of pairs that a network compares.
 fn pairs(options: &ABufferOptions, layers: u32) -> usize {
-    let filled = layers.next_power_of_two().min(options.array);
-    odd_even_merge(filled as usize).len()
+    odd_even_merge(network_size(options, layers) as usize).len()
 }
 
 /// The mean of n² over the pixels that have any fragment, or 0 if there are none.
@@ -72,6 +78,20 @@ mod tests {
         for n in [12, 16, 20, 64, 300] {
             assert!(!inserts(&automatic(false, false), &[n; 100]), "{n}");
         }
+    }
+
+    #[test]
+    fn a_network_is_as_large_as_the_deepest_pixel_needs_and_of_few_sizes() {
+        let size = |array, layers| {
+            let options = ABufferOptions {
+                array,
+                ..ABufferOptions::DEFAULT
+            };
+            network_size(&options, layers)
+        };
+        let sizes = [0, 1, 8, 9, 33, 64, 65, 1000].map(|layers| size(64, layers));
+        assert_eq!(sizes, [8, 8, 8, 16, 64, 64, 64, 64]);
+        assert_eq!([0, 3, 9].map(|layers| size(4, layers)), [4; 3]);
     }
 
     #[test]

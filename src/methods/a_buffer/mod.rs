@@ -31,7 +31,7 @@ pub(super) use counting::expect_stencil;
 use bands::{Band, Budget, bands, fixed, preferred};
 pub use options::{ABufferOptions, ArraySort, Fill, Keep, LARGEST_NETWORK, Manager, RecordColor};
 
-use array_sort::inserts;
+use array_sort::{inserts, network_size};
 
 use options::SMALLEST_SEGMENT;
 
@@ -111,10 +111,9 @@ impl ABuffer {
         let options = &self.options;
         let quirks = machine.context().driver().quirks();
         let yes = u32::from;
-        // Elements beyond the deepest pixel's are empty, and a network need not compare them.
         let deepest = match insertion {
             true => options.array,
-            false => self.layers.next_power_of_two(),
+            false => network_size(options, self.layers),
         };
         let mut defines = self.volumes.to_vec();
         defines.extend([
