@@ -15,8 +15,11 @@ mod shadow;
 pub use composite::{ALPHA, COMPOSITE, COMPOSITING};
 pub use invariance::{REPLACED, TRIED, WINDOW_Z};
 pub use listing_1::LISTING_1;
-pub use listing_2::LISTING_2;
-pub use shadow::SHADOW_AS_DEPTH_TEST;
+pub use listing_2::{ENABLED, LISTING_2};
+pub use shadow::{
+    INTO_ALPHA, LOOKED_UP_AS_2D, MODULATED, RECTANGLE_FILLINGS, SHADOW_AS_DEPTH_TEST,
+    SHADOW_FILLINGS, TEXELS,
+};
 
 use super::paper::Paper;
 use super::{stage, vtk};
@@ -34,10 +37,10 @@ pub const PAPER: Paper = Paper {
                 &[vtk::CULL_BY_OPAQUE, vtk::QUERY, vtk::KEEP_DEPTH],
             ),
         ),
-        ("listing-2", Text::Listing(LISTING_2, &[])),
+        ("listing-2", Text::Listing(LISTING_2, &[ENABLED])),
         (
             "shadow-as-depth-test",
-            Text::Listing(SHADOW_AS_DEPTH_TEST, &[]),
+            Text::Listing(SHADOW_AS_DEPTH_TEST, &SHADOW_FILLINGS),
         ),
         ("composite", Text::Listing(COMPOSITE, &[ALPHA])),
     ],
