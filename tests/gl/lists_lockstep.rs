@@ -94,14 +94,14 @@ fn twins() -> Vec<Twins> {
             pp_ao: true,
             ..options
         };
-        add("ppAO", PP_AO, &[PP_AO_WITHOUT_PP_DP], pp_ao);
+        add("ppAO", PP_AO, &[PP_AO_AMENDMENT], pp_ao);
         let nearest = nearest(pp_ao);
         add("ppAO, nearest", PP_AO, &[PP_AO_KEEPING_NEAREST], nearest);
         let both = ABufferOptions {
             pp_dp: true,
             ..pp_ao
         };
-        add("ppAO + ppDP", PP_AO, &[PP_AO_AMENDMENT], both);
+        add("ppAO + ppDP", PP_AO, &[PP_AO_WITH_PP_DP], both);
         let as_printed = ABufferOptions {
             reading: onionskin::options::Reading::AsPrinted,
             ..pp_ao
@@ -273,11 +273,11 @@ fn an_algorithm_that_differs_would_be_noticed() {
         } = twins.options;
         twins.amendments = match keep {
             Keep::First if reading == onionskin::options::Reading::AsPrinted && pp_ao => {
-                vec![PP_AO_WITHOUT_PP_DP]
+                vec![PP_AO_AMENDMENT]
             }
             // What the array keeps is then not what the shader keeps.
             Keep::First if !pp_ao && !pp_dp => vec![KEEP_NEAREST],
-            Keep::Nearest if pp_ao => vec![PP_AO_WITHOUT_PP_DP],
+            Keep::Nearest if pp_ao => vec![PP_AO_AMENDMENT],
             _ => Vec::new(),
         };
         let other = difference(&mut renderer, &twins, &stack);
