@@ -155,7 +155,7 @@ impl DepthPeeling {
     fn expect_known(&self, machine: &GlMachine<'_>) -> Result<()> {
         let amendments = self.options.amendments;
         if self.options.is_printed() {
-            expect_known(machine, &LISTING_1, amendments, &[&vtk::PEELING])?;
+            expect_known(machine, &AS_PRINTED, amendments, &[&vtk::PEELING])?;
             let resources = [&vtk::PEELING, &everitt_2001::COMPOSITING];
             return expect_known(machine, &everitt_2001::COMPOSITE, amendments, &resources);
         }

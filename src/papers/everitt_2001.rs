@@ -23,7 +23,7 @@ pub use shadow::{
 
 use super::paper::Paper;
 use super::{stage, vtk};
-use crate::steps::Text;
+use crate::steps::{Resources, Text};
 
 /// The paper's texts. The amendments to Listing 1 are VTK's.
 pub const PAPER: Paper = Paper {
@@ -44,7 +44,12 @@ pub const PAPER: Paper = Paper {
         ),
         ("composite", Text::Listing(COMPOSITE, &[ALPHA])),
     ],
-    resources: &[&stage::RESOURCES, &vtk::PEELING, &COMPOSITING],
+    resources: &[
+        &Resources::NONE.of(&["listing-2", "shadow-as-depth-test"], &[]),
+        &stage::RESOURCES.of(&["listing-1"], &[]),
+        &vtk::PEELING.of(&["listing-1"], &[stage::PEEL_SURFACE, vtk::OVER]),
+        &COMPOSITING.of(&["composite"], &[stage::LAYER]),
+    ],
     claims: claims::CLAIMS,
     errata: errata::ERRATA,
 };

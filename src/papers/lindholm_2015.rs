@@ -60,7 +60,20 @@ pub const PAPER: Paper = Paper {
             Text::Lists(fused::PP_DP_ON_RAYS, &fused::FUSED_PP_DP),
         ),
     ],
-    resources: &[&stage::RESOURCES, &stage::COUNTING, &RESOURCES],
+    resources: &[
+        &stage::COUNTING.of(&["complexity-image"], &[COUNT_ATOMICALLY]),
+        &FILLING.of(&["clear-and-fill", "fill-for-pp-ao"], &[FILL_ATOMICALLY]),
+        &Resources::NONE.of(&["clear-and-fill"], &[BEGIN, FILL_IN_ORDER]),
+        &RESOLVING.of(&["resolve", "pp-ao"], &[RESOLVE_ALL]),
+        &Resources {
+            variables: &["N"],
+            ..Resources::NONE.of(&["resolve"], &[])
+        },
+        &Resources {
+            variables: &["num_segments"],
+            ..Resources::NONE.of(&["pp-ao"], &[RESOLVE_SEGMENT])
+        },
+    ],
     claims: claims::CLAIMS,
     errata: errata::ERRATA,
 };
@@ -432,22 +445,34 @@ const AFTER_RESOLVE: Listing = Listing {
     },
 };
 
-/// The resources that its listings take for granted if lists are filled by atomics. Other fills attach other maps,
+/// What the Clear Step and the Fill Step take for granted if lists are filled by atomics. Other fills attach other maps,
 /// because an attachment costs time.
-pub const RESOURCES: Resources = Resources {
+pub const FILLING: Resources = Resources {
+    maps: &[
+        (COUNTER, Holds::Exactly(Format::R32Ui)),
+        (ANCHOR, Holds::Exactly(Format::R32Ui)),
+    ],
+    framebuffers: &[
+        Framebuffer::new(CLEARED, &[COUNTER, ANCHOR], Some(OPAQUE_DEPTH)),
+        Framebuffer::new(FILL, &[], Some(OPAQUE_DEPTH)),
+    ],
+    storages: &[RECORDS, NEXT, OFFSETS, POOL],
+    ..Resources::NONE
+};
+
+/// What the Resolve Step takes for granted besides its variables.
+pub const RESOLVING: Resources = Resources {
     maps: &[
         (COUNTER, Holds::Exactly(Format::R32Ui)),
         (ANCHOR, Holds::Exactly(Format::R32Ui)),
         (COST, Holds::Exactly(Format::Rgba32Ui)),
     ],
-    made: &[RAY_ENDS],
-    framebuffers: &[
-        Framebuffer::new(CLEARED, &[COUNTER, ANCHOR], Some(OPAQUE_DEPTH)),
-        Framebuffer::new(FILL, &[], Some(OPAQUE_DEPTH)),
-        Framebuffer::new(RESOLVED, &[IMAGE_COLOR, COST], Some(OPAQUE_DEPTH)),
-    ],
-    storages: &[RECORDS, NEXT, OFFSETS, POOL],
-    variables: &["N", "num_segments"],
+    framebuffers: &[Framebuffer::new(
+        RESOLVED,
+        &[IMAGE_COLOR, COST],
+        Some(OPAQUE_DEPTH),
+    )],
+    ..Resources::NONE
 };
 
 /// One counter per pixel, which the Fill Step counts up from 0 or from the pixel's base offset.
