@@ -11,7 +11,12 @@
 //
 // With IN_ORDER a pixel's records lie in the order of their submission, so the lower half is the place of the record,
 // and the key is the whole element. With atomics they lie as they came; then the lower half is the id.
+//
+// As printed, ppDP inserts by depth alone, behind what is equal. So the order in which the list is walked decides between
+// equal depths. A linked list that was filled in order is walked from its newest record, so its places are counted down.
 // defines: method
+
+#define AS_WALKED (AS_PRINTED && PEEL_ALWAYS)
 
 #define DOUBLES KEYS_AS_DOUBLES
 
@@ -53,20 +58,33 @@ const KEY BEHIND_ALL = uvec2(0xFFFFFFFFu);
 KEY key[N];
 
 #if IN_ORDER
-KEY key_of(uvec4 head, uint at) {
+#if AS_WALKED && MANAGER == PPLL
+KEY key_of(uvec4 head, uint at, uint walked) {
+    return key_with(head.x, ~at);
+}
+uint place_of(int k) {
+    return ~order_of(key[k]);
+}
+#else
+KEY key_of(uvec4 head, uint at, uint walked) {
     return key_with(head.x, at);
 }
 uint place_of(int k) {
     return order_of(key[k]);
 }
+#endif
 void put(int k, KEY key_f, uint place_f) {
     key[k] = key_f;
 }
 #else
 uint place[N];
 
-KEY key_of(uvec4 head, uint at) {
+KEY key_of(uvec4 head, uint at, uint walked) {
+#if AS_WALKED
+    return key_with(head.x, walked);
+#else
     return key_with(head.x, head.y);
+#endif
 }
 uint place_of(int k) {
     return place[k];

@@ -4,8 +4,8 @@
 // As printed, "not yet resolved" is told by depth alone, so that of several fragments of equal depth those that did not
 // fit into the buffer are skipped in the next pass, and what lies at depth 0 is skipped always. Amended, the
 // order of submission decides between equal depths (errata LX01, LX04). Either way a pass that did not overflow is the last
-// (L3), unless the text is read literally: then it waits until as many fragments are resolved as the list has, and is given
-// up after more passes than it has fragments.
+// (erratum LX03), unless the text is read literally: then it waits until as many fragments are resolved as the list has, and
+// is given up after more passes than it has fragments.
 // defines: method
 
 // Inserts with insertion sort. Stores at most N elements, drops the last element on overflow.
@@ -25,12 +25,12 @@ KEY min_key = BEFORE_ALL;    // set min depth to 0
 uint left;                 // fragments that the subpass has not skipped
 
 // Skips what was resolved before, inserts the rest; returns the place of the next record.
-uint take(uint at, bool there) {
-    if (!there) {
+uint take(uint at, uint f, uint count) {
+    if (f >= count) {
         return at;
     }
     uvec4 head = list_head(at);
-    KEY key_f = key_of(head, at);
+    KEY key_f = key_of(head, at, f);
 #if AS_PRINTED
     bool skip = depth_of(key_f) <= (min_key == BEFORE_ALL ? 0.0 : depth_of(min_key));
 #else
@@ -60,10 +60,10 @@ void resolve_by_peeling(uint count) {
         uint at = list_first();
         // Four fragments at a time: see `methods/a_buffer/loops.rs`.
         for (uint f = 0u; f < count; f += 4u) {
-            at = take(at, true);
-            at = take(at, f + 1u < count);
-            at = take(at, f + 2u < count);
-            at = take(at, f + 3u < count);
+            at = take(at, f, count);
+            at = take(at, f + 1u, count);
+            at = take(at, f + 2u, count);
+            at = take(at, f + 3u, count);
         }
 #if VOLUMES
         if (subpasses == 1u) {

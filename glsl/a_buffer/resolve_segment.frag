@@ -1,6 +1,6 @@
 #version 430 core
 // Resolve Step of a complexity segment (ppAO): the pixels with more fragments than the segment before can take and no
-// more than N. The last segment takes all that are left (errata LX05, LX06, LX07).
+// more than N. The last segment takes all that are left (errata LX05 to LX07).
 // vertex: screen.vert
 
 #include "a_buffer/resolve_pixel.glsl"

@@ -42,7 +42,7 @@ void resolve_statically(uint count, uint fits) {
     uint at = list_first();
     for (int k = 0; k < int(fits); ++k) {
         uvec4 head = list_head(at);
-        put(k, key_of(head, at), at);
+        put(k, key_of(head, at, uint(k)), at);
         at = list_next(at);
 #if VOLUMES
         look_for_beginning(head.y);
@@ -55,7 +55,7 @@ void resolve_statically(uint count, uint fits) {
 #endif
     for (uint f = fits; f < count; ++f) {
         uvec4 head = list_head(at);
-        keep_if_nearer(key_of(head, at), at);
+        keep_if_nearer(key_of(head, at, f), at);
         at = list_next(at);
 #if VOLUMES
         look_for_beginning(head.y);

@@ -1,6 +1,6 @@
 #version 430 core
-// The same with NV_texture_shader's DOT_PRODUCT_DEPTH_REPLACE: the depth that is tested and stored is not the
-// rasteriser's.
+// The same with NV_texture_shader's DOT_PRODUCT_DEPTH_REPLACE: where texture shaders are enabled, the depth that is tested
+// and stored is not the rasteriser's.
 // vertex: classic/vertex.vert
 
 vec4 surface_color();    // surface/unlit.frag, lit.frag or slice.frag: the primary colour
@@ -21,5 +21,13 @@ void main() {
         discard;
     }
     color = fragment;
-    gl_FragDepth = depth_replace();
+    gl_FragDepth = gl_FragCoord.z;
+    if (replaces_depth) {
+        float depth = depth_replace();
+        // The extension rejects what lies outside of the depth range. What a shader writes, OpenGL clamps.
+        if (depth < 0.0 || depth > 1.0) {
+            discard;
+        }
+        gl_FragDepth = depth;
+    }
 }

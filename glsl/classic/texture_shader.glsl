@@ -1,6 +1,7 @@
 // The part of NV_texture_shader that Listing 2 uses. A dot product is that of a stage's (s, t, r) with the previous
 // texture's result; an unsigned HILO texel's third component is 1 by definition.
 
+uniform bool replaces_depth;              // texture shaders are enabled, and both stages are set up
 uniform sampler2D unsigned_hilo;
 uniform int dot_product;                  // the stage of GL_DOT_PRODUCT_NV
 uniform int dot_product_depth_replace;    // the stage after it

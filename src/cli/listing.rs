@@ -18,8 +18,8 @@ use super::output::{print_json, say, say_styled};
 /// The listings are printed from the data that runs. A letter in the margin says where each line comes from: p if the
 /// paper prints it, s if the paper says it in a sentence, f if it fills what the paper leaves open, a if it amends what
 /// is wrong in the paper, e if it is this edition's own. By default listings are printed as amended, with --as-printed
-/// without amendments, and with --literal without fillings, too. Without an argument, the names of all listings are
-/// printed. Needs no OpenGL.
+/// without amendments, and with --literal without fillings, too: there ? says where the paper is silent. Without an
+/// argument, the names of all listings are printed. Needs no OpenGL.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Listing {
@@ -122,6 +122,7 @@ fn margins(lines: &[TextLine]) -> Vec<(Style, String)> {
 fn style(letter: char) -> Style {
     match letter {
         's' => AnsiColor::Cyan.on_default(),
+        '?' => AnsiColor::Red.on_default(),
         'f' => AnsiColor::Green.on_default(),
         'a' => AnsiColor::Yellow.on_default(),
         'e' => AnsiColor::Magenta.on_default(),

@@ -6,7 +6,7 @@
 //! | `lines` | the printed text, line by line: `text`, `note`, `source`, `number` among the printed lines, `origin` |
 //! | `steps` | the same as data, with the amendments of the reading in place |
 //!
-//! An `origin` has `is` (printed, prose, filling, amendment or edition) and, as far as it has them, `quote`, `key`, `why`,
+//! An `origin` has `is` (printed, prose, silence, filling, amendment or edition) and, as far as it has them, `quote`, `key`, `why`,
 //! `rests_on` and `test`. Each step has `origin`, and `step`, which says what it is:
 //!
 //! | `step` | besides |
@@ -18,6 +18,7 @@
 //! | `stop` | `when`, `why` |
 //! | `depth-unit` | `unit`, `body` |
 //! | `run` | `title`, `source`, `body` |
+//! | `silence` | nothing: read literally, the paper leaves something open here |
 //! | any other | `text`, and of pseudocode that has statements inside, `body` and `otherwise` |
 //!
 //! An expression is a number, the name of a variable, `{"samples": query}`, or `[operator, a, b]`; a condition is
@@ -32,12 +33,12 @@ use serde_json::{Map, Value, json};
 /// The object of a text.
 pub(super) fn object(key: &str, text: &Text, reading: Reading) -> Value {
     let steps = match text {
-        Text::Listing(listing, amendments) => tree(listing.steps, &reading.of(amendments), step),
+        Text::Listing(listing, amendments) => tree(listing.steps, &reading.shown(amendments), step),
         Text::Pseudocode(algorithm, amendments) => {
-            tree(algorithm.lines, &reading.of(amendments), pseudocode)
+            tree(algorithm.lines, &reading.shown(amendments), pseudocode)
         }
         Text::Lists(algorithm, amendments) => {
-            tree(algorithm.lines, &reading.of(amendments), on_lists)
+            tree(algorithm.lines, &reading.shown(amendments), on_lists)
         }
     };
     let lines: Vec<_> = text.lines(reading).iter().map(line).collect();
@@ -66,7 +67,7 @@ fn origin(origin: Origin) -> Value {
     match origin {
         Origin::Printed => json!({ "is": is }),
         Origin::Prose { quote } => json!({ "is": is, "quote": quote }),
-        Origin::Filling { key, why, rests_on } => {
+        Origin::Filling { key, why, rests_on } | Origin::Silence { key, why, rests_on } => {
             json!({ "is": is, "key": key, "why": why, "rests_on": rests_on })
         }
         Origin::Amendment { key, why, test } => {
@@ -89,7 +90,13 @@ fn tree<S: Statement>(
 
 fn body<S: Statement>(statements: &'static [S], scope: Scope<'_, S>, make: Maker<S>) -> Value {
     let made = scope.walk(statements).filter_map(|met| match met {
-        Met::Amendment(_) | Met::Line(..) => None,
+        Met::Amendment(amendment) => match amendment.origin() {
+            silence @ Origin::Silence { .. } => {
+                Some(json!({ "step": "silence", "origin": origin(silence) }))
+            }
+            _ => None,
+        },
+        Met::Line(..) => None,
         Met::Statement(statement, scope) => Some(with_origin(make(statement, scope), scope)),
     });
     made.collect()

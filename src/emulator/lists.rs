@@ -347,10 +347,9 @@ impl Run<'_> {
         }
         let pixel = self.pixel(here, line)?;
         let complexity = pixel.complexity;
-        let before = if size == FIRST_SEGMENT { 0 } else { size / 2 };
         Ok(match test {
             ListTest::StencilFitsSegment => u32::from(pixel.stencil) <= size.min(255),
-            ListTest::InSegment => before < complexity && (complexity <= size || last),
+            ListTest::FitsSegmentOrLast => complexity <= size || last,
             ListTest::Overflows => complexity > size,
             ListTest::FitsSegment | ListTest::NotBehindMin(_) | ListTest::IsProxy => {
                 complexity <= size

@@ -10,7 +10,7 @@
 
 use super::algorithm::{Algorithm, Composited, Drawn, Setup};
 use super::allocate_maps::allocate_maps;
-use super::choice::{AS_PRINTED, Choice, LITERAL, Setter, Takes, read};
+use super::choice::{self, Choice, LITERAL, Setter, Takes, read};
 use super::depth_unit_0::DepthUnit0;
 use super::entry::{Entry, Memory, Ties, Volumes};
 use super::expect_known::expect_known;
@@ -23,8 +23,9 @@ use crate::gl::{Format, GlMachine};
 use crate::papers::everitt_2001::{self, LISTING_1};
 use crate::papers::{stage, vtk};
 use crate::scene::Scene;
+use crate::steps;
 use crate::steps::{
-    Amendment, Call, DepthUnits, Listing, Machine, Outcome, Reading, Reason, Variables, run,
+    Amendment, Call, Dialect, Listing, Machine, Outcome, Reading, Reason, Variables, gl::*, run,
 };
 use crate::words::{Words, words};
 
@@ -61,7 +62,8 @@ pub struct DepthPeelingOptions {
 }
 
 impl DepthPeelingOptions {
-    /// Whether Everitt's text runs as it stands. It is silent nowhere, so there is nothing to be filled.
+    /// Whether Listing 1 runs as it stands. It is silent nowhere, so there is nothing to be filled, unlike in the texts on
+    /// the depth unit 0 of 2001.
     fn is_printed(&self) -> bool {
         self.reading != Reading::Amended
     }
@@ -112,10 +114,13 @@ impl Algorithm for DepthPeeling {
             .with("occlusion_ratio", self.options.occlusion_ratio)
             .with("window_area", f64::from(width) * f64::from(height));
         let listing = self.listing();
-        let outcome =
-            self.options
-                .depth_unit_0
-                .run(machine, listing, self.options.amendments, variables)?;
+        let outcome = self.options.depth_unit_0.run(
+            machine,
+            self.options.reading,
+            listing,
+            self.options.amendments,
+            variables,
+        )?;
         let mut drawn = drawn(&outcome);
         drawn.keeps_layers = self.options.keeps_layers();
         if self.may_get_stuck() && outcome.stopped != Some(Reason::EmptyLayer) {
@@ -150,7 +155,7 @@ impl DepthPeeling {
     fn expect_known(&self, machine: &GlMachine<'_>) -> Result<()> {
         let amendments = self.options.amendments;
         if self.options.is_printed() {
-            expect_known(machine, &LISTING_1, amendments, &[&vtk::PEELING])?;
+            expect_known(machine, &AS_PRINTED, amendments, &[&vtk::PEELING])?;
             let resources = [&vtk::PEELING, &everitt_2001::COMPOSITING];
             return expect_known(machine, &everitt_2001::COMPOSITE, amendments, &resources);
         }
@@ -173,17 +178,14 @@ impl DepthPeeling {
     }
 
     fn draw_as_printed(&self, machine: &mut GlMachine<'_>) -> Result<Drawn> {
-        for call in AS_PRINTED_AROUND {
-            machine.perform(&call)?;
-        }
-        let mut units = DepthUnits::new(machine);
-        let outcome = run(
-            &LISTING_1,
+        let outcome = self.options.depth_unit_0.run(
+            machine,
+            self.options.reading,
+            &AS_PRINTED,
             self.options.amendments,
             self.variables(),
-            &mut units,
         )?;
-        units.perform(&Call::BindFramebuffer {
+        machine.perform(&Call::BindFramebuffer {
             framebuffer: stage::COMPOSITE,
         })?;
         let layers = self.options.maximum_number_of_peels;
@@ -192,7 +194,7 @@ impl DepthPeeling {
             &everitt_2001::COMPOSITE,
             self.options.amendments,
             variables,
-            &mut units,
+            machine,
         )?;
         Ok(Drawn {
             iterations: layers,
@@ -206,28 +208,22 @@ impl DepthPeeling {
     }
 }
 
-/// The state that Listing 1 takes for granted: the image has its background, the scene has a program, and a cleared
+/// Listing 1 with the state that it takes for granted: the image has its background, the scene has a program, and a cleared
 /// layer covers nothing.
-const AS_PRINTED_AROUND: [Call; 5] = [
-    Call::BindFramebuffer {
-        framebuffer: stage::COMPOSITE,
+const AS_PRINTED: Listing = Listing {
+    title: "Listing 1 as printed",
+    source: "onionskin",
+    dialect: Dialect::Calls,
+    steps: steps! {
+        edition "Listing 1 takes a framebuffer and a program for granted";
+        glBindFramebuffer(stage::COMPOSITE);
+        glClear(COLOR_BUFFER_BIT);
+        glBindFramebuffer(stage::PEEL);
+        glClearColor(0.0, 0.0, 0.0, 0.0);
+        glUseProgram(stage::PEEL_SURFACE);
+        run LISTING_1;
     },
-    Call::Clear {
-        mask: crate::steps::gl::COLOR_BUFFER_BIT,
-    },
-    Call::BindFramebuffer {
-        framebuffer: stage::PEEL,
-    },
-    Call::ClearColor {
-        red: 0.0,
-        green: 0.0,
-        blue: 0.0,
-        alpha: 0.0,
-    },
-    Call::UseProgram {
-        program: stage::PEEL_SURFACE,
-    },
-];
+};
 
 fn drawn(outcome: &Outcome) -> Drawn {
     let number = |name| outcome.variables.get(name).unwrap_or(0.0);
@@ -275,10 +271,10 @@ impl Technique for DepthPeelingOptions {
                 "0 is exact; 0.01 ignores peels that change less than 1% of the image",
             ));
         }
-        if self.is_printed() && self.depth_unit_0 != DepthUnit0::Sampler {
+        if self.is_printed() && matches!(self.depth_unit_0, DepthUnit0::Experiment(_)) {
             return Err(Error::option(
                 "depth-unit-0",
-                "Listing 1 as printed has depth units of its own",
+                "the invariance experiment amends Listing 1",
                 "leave it out, or let the listing be amended",
             ));
         }
@@ -338,7 +334,7 @@ impl Published for DepthPeelingOptions {
             Ok(())
         }),
         DEPTH_UNIT_0.of(|o| &mut o.depth_unit_0),
-        AS_PRINTED.by(|o, _| read(&mut o.reading, Reading::AsPrinted)),
+        choice::AS_PRINTED.by(|o, _| read(&mut o.reading, Reading::AsPrinted)),
         LITERAL.by(|o, _| read(&mut o.reading, Reading::Literal)),
     ];
 }

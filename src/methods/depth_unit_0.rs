@@ -2,10 +2,12 @@
 
 use crate::error::Result;
 use crate::gl::GlMachine;
-use crate::papers::everitt_2001::{LISTING_2, REPLACED, SHADOW_AS_DEPTH_TEST, WINDOW_Z};
+use crate::papers::everitt_2001::{
+    ENABLED, LISTING_2, RECTANGLE_FILLINGS, REPLACED, SHADOW_AS_DEPTH_TEST, SHADOW_FILLINGS,
+    WINDOW_Z,
+};
 use crate::steps::{
-    Amendment, Call, ClassicCall, ClassicDepthUnits, DepthUnits, Listing, Machine, MatrixMode,
-    Outcome, Shader, Variables, run,
+    Amendment, ClassicDepthUnits, DepthUnits, Listing, Outcome, Reading, Shader, Variables, run,
 };
 
 /// The form of Listing 1's depth unit 0.
@@ -61,14 +63,19 @@ pub enum Comparator {
 }
 
 impl DepthUnit0 {
-    /// Runs a listing that has Listing 1 in it.
+    /// Runs a listing that has Listing 1 in it. The paper's texts on depth unit 0 are read like this, amended by
+    /// `amendments` first.
     pub(super) fn run(
         self,
         machine: &mut GlMachine<'_>,
+        reading: Reading,
         listing: &Listing,
         amendments: &[Amendment],
         variables: Variables,
     ) -> Result<Outcome> {
+        let read = |fillings: &[Amendment]| [amendments, &reading.of(fillings)].concat();
+        let [width, height] = machine.size().map(f64::from);
+        let size = || Variables::new().with("width", width).with("height", height);
         match self {
             Self::Sampler => run(
                 listing,
@@ -77,24 +84,25 @@ impl DepthUnit0 {
                 &mut DepthUnits::new(machine),
             ),
             Self::Classic => {
-                run(&SHADOW_AS_DEPTH_TEST, &[], Variables::new(), machine)?;
                 let mut units = ClassicDepthUnits::new(machine, Shader("classic/fixed"));
+                let fillings = read(&SHADOW_FILLINGS);
+                run(&SHADOW_AS_DEPTH_TEST, &fillings, size(), &mut units)?;
                 run(listing, amendments, variables, &mut units)
             }
             Self::ClassicDepthReplace => {
-                run(&LISTING_2, &[], Variables::new(), machine)?;
-                run(&SHADOW_AS_DEPTH_TEST, &[], Variables::new(), machine)?;
                 let mut units = ClassicDepthUnits::new(machine, Shader("classic/depth_replace"));
+                run(&LISTING_2, &read(&[ENABLED]), size(), &mut units)?;
+                let fillings = read(&SHADOW_FILLINGS);
+                run(&SHADOW_AS_DEPTH_TEST, &fillings, size(), &mut units)?;
                 run(listing, amendments, variables, &mut units)
             }
             Self::ClassicRectangle => {
-                run(&LISTING_2, &[], Variables::new(), machine)?;
-                run(&SHADOW_AS_DEPTH_TEST, &[], Variables::new(), machine)?;
-                for call in texels(machine.size()) {
-                    machine.perform(&Call::Classic(call))?;
-                }
                 let units = ClassicDepthUnits::new(machine, Shader("classic/depth_replace"));
-                run(listing, amendments, variables, &mut units.with_rectangles())
+                let mut units = units.with_rectangles();
+                run(&LISTING_2, &read(&[ENABLED]), size(), &mut units)?;
+                let fillings = read(&RECTANGLE_FILLINGS);
+                run(&SHADOW_AS_DEPTH_TEST, &fillings, size(), &mut units)?;
+                run(listing, amendments, variables, &mut units)
             }
             Self::Experiment(experiment) => {
                 let mut all = amendments.to_vec();
@@ -107,24 +115,6 @@ impl DepthUnit0 {
             }
         }
     }
-}
-
-/// After [`SHADOW_AS_DEPTH_TEST`]: the shadow map's coordinates are texels instead of 0 to 1.
-fn texels(size: [u32; 2]) -> [ClassicCall; 7] {
-    let [x, y] = size.map(|side| side as f32 / 2.0);
-    [
-        ClassicCall::ActiveTexture { unit: 3 },
-        ClassicCall::MatrixMode {
-            mode: MatrixMode::Texture,
-        },
-        ClassicCall::LoadIdentity,
-        ClassicCall::Translate { x, y, z: 0.5 },
-        ClassicCall::Scale { x, y, z: 0.5 },
-        ClassicCall::ApplyPerspective,
-        ClassicCall::MatrixMode {
-            mode: MatrixMode::Modelview,
-        },
-    ]
 }
 
 impl Experiment {

@@ -15,12 +15,15 @@ mod shadow;
 pub use composite::{ALPHA, COMPOSITE, COMPOSITING};
 pub use invariance::{REPLACED, TRIED, WINDOW_Z};
 pub use listing_1::LISTING_1;
-pub use listing_2::LISTING_2;
-pub use shadow::SHADOW_AS_DEPTH_TEST;
+pub use listing_2::{ENABLED, LISTING_2};
+pub use shadow::{
+    INTO_ALPHA, LOOKED_UP_AS_2D, MODULATED, RECTANGLE_FILLINGS, SHADOW_AS_DEPTH_TEST,
+    SHADOW_FILLINGS, TEXELS,
+};
 
 use super::paper::Paper;
 use super::{stage, vtk};
-use crate::steps::Text;
+use crate::steps::{Resources, Text};
 
 /// The paper's texts. The amendments to Listing 1 are VTK's.
 pub const PAPER: Paper = Paper {
@@ -34,14 +37,19 @@ pub const PAPER: Paper = Paper {
                 &[vtk::CULL_BY_OPAQUE, vtk::QUERY, vtk::KEEP_DEPTH],
             ),
         ),
-        ("listing-2", Text::Listing(LISTING_2, &[])),
+        ("listing-2", Text::Listing(LISTING_2, &[ENABLED])),
         (
             "shadow-as-depth-test",
-            Text::Listing(SHADOW_AS_DEPTH_TEST, &[]),
+            Text::Listing(SHADOW_AS_DEPTH_TEST, &SHADOW_FILLINGS),
         ),
         ("composite", Text::Listing(COMPOSITE, &[ALPHA])),
     ],
-    resources: &[&stage::RESOURCES, &vtk::PEELING, &COMPOSITING],
+    resources: &[
+        &Resources::NONE.of(&["listing-2", "shadow-as-depth-test"], &[]),
+        &stage::RESOURCES.of(&["listing-1"], &[]),
+        &vtk::PEELING.of(&["listing-1"], &[stage::PEEL_SURFACE, vtk::OVER]),
+        &COMPOSITING.of(&["composite"], &[stage::LAYER]),
+    ],
     claims: claims::CLAIMS,
     errata: errata::ERRATA,
 };

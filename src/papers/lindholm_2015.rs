@@ -31,7 +31,14 @@ pub const PAPER: Paper = Paper {
             Text::Listing(CLEAR_AND_FILL, &[BEGIN_AT_OFFSETS, ORDERED]),
         ),
         ("resolve", Text::Listing(RESOLVE, &[])),
-        ("pp-ao", Text::Listing(PP_AO, &[BY_COUNTER, NO_STENCIL])),
+        (
+            "fill-for-pp-ao",
+            Text::Listing(FILL_FOR_PP_AO, &[COUNTED_ALREADY, COUNT_INTO_STENCIL]),
+        ),
+        (
+            "pp-ao",
+            Text::Listing(PP_AO, &[BY_COUNTER, NO_STENCIL, MARKED]),
+        ),
         (
             "section-4",
             Text::Lists(components::STATIC_ARRAY, &[components::KEEP_NEAREST]),
@@ -53,7 +60,20 @@ pub const PAPER: Paper = Paper {
             Text::Lists(fused::PP_DP_ON_RAYS, &fused::FUSED_PP_DP),
         ),
     ],
-    resources: &[&stage::RESOURCES, &stage::COUNTING, &RESOURCES],
+    resources: &[
+        &stage::COUNTING.of(&["complexity-image"], &[COUNT_ATOMICALLY]),
+        &FILLING.of(&["clear-and-fill", "fill-for-pp-ao"], &[FILL_ATOMICALLY]),
+        &Resources::NONE.of(&["clear-and-fill"], &[BEGIN, FILL_IN_ORDER]),
+        &RESOLVING.of(&["resolve", "pp-ao"], &[RESOLVE_ALL]),
+        &Resources {
+            variables: &["N"],
+            ..Resources::NONE.of(&["resolve"], &[])
+        },
+        &Resources {
+            variables: &["num_segments"],
+            ..Resources::NONE.of(&["pp-ao"], &[RESOLVE_SEGMENT])
+        },
+    ],
     claims: claims::CLAIMS,
     errata: errata::ERRATA,
 };
@@ -252,8 +272,7 @@ pub const RESOLVE: Listing = Listing {
 };
 
 /// ppAO (section 5.1), masked by the stencil buffer as section 6.2 has it: "different segments are triggered by
-/// modifying the OpenGL stencil function". The paper does not say what marks a pixel as resolved. Of all stencil
-/// operations, INVERT goes furthest.
+/// modifying the OpenGL stencil function".
 pub const PP_AO: Listing = Listing {
     title: "per-pixel Array Optimization: a resolve program for each complexity segment",
     source: "Lindholm et al. 2015, sections 5.1 and 6.2",
@@ -263,7 +282,6 @@ pub const PP_AO: Listing = Listing {
         run BEFORE_RESOLVE;
         prose "the ppAO component is implemented using an 8bit stencil buffer for masking the different complexity segments";
         glEnable(STENCIL_TEST);
-        glStencilOp(KEEP, KEEP, INVERT);
         edition "the resolved pixels are counted";
         glBeginQuery(COVERED);
         prose "enclosed in a loop on the CPU, where different segments are triggered by modifying the OpenGL stencil function";
@@ -282,39 +300,24 @@ pub const PP_AO: Listing = Listing {
     },
 };
 
-/// To [`CLEAR_AND_FILL`], for ppAO as printed: "the counting can be combined with the scene rasterization in the Fill
-/// Step". Eight bits count to 255.
-pub const COUNT_WHILE_FILLING: Amendment = Amendment {
-    key: "L10",
-    kind: Kind::Prose("the counting can be combined with the scene rasterization in the Fill Step"),
-    place: "section 5.1, Fill Step",
-    printed: steps! { drawTransparentObjects(); },
+/// Erratum LX07. Of all stencil operations, INVERT goes furthest.
+pub const MARKED: Amendment = Amendment {
+    key: "LX07",
+    kind: Kind::Filling("Section 5.1: the comment \"mark pixel as resolved\""),
+    place: "sections 5.1 and 6.2, mark pixel as resolved",
+    printed: steps! { glEnable(STENCIL_TEST); },
     amended: steps! {
-        glClearStencil(0);
-        glClear(STENCIL_BUFFER_BIT);
         glEnable(STENCIL_TEST);
-        glStencilFunc(ALWAYS, 0, 0xFF);
-        glStencilOp(KEEP, KEEP, INCR);
-        drawTransparentObjects();
-        glDisable(STENCIL_TEST);
+        glStencilOp(KEEP, KEEP, INVERT);
     },
-    why: "the stencil buffer counts along",
-    test: "l10_the_fill_counts_and_no_geometry_pass_is_added",
+    why: "a resolved pixel must not pass the next segment's test",
+    test: "l11_of_the_marks_only_invert_works_and_only_up_to_128",
 };
 
-/// [`CLEAR_AND_FILL`] with [`COUNT_WHILE_FILLING`]. It is a listing of its own, so that amendments from outside, such
-/// as [`PROXIES`], find the steps that count.
-pub const CLEAR_AND_COUNTING_FILL: Listing = Listing {
-    title: "Clear Step, and Fill Step that counts along",
-    source: "Lindholm et al. 2015, figure 3 and section 5.1",
-    dialect: Dialect::Calls,
-    steps: steps! { run CLEAR_AND_FILL amended by &[COUNT_WHILE_FILLING]; },
-};
-
-/// To [`PP_AO`]: errata LX05 to LX07. A pixel belongs to one segment by its own count, which needs no mark and has 32 bits;
-/// the last segment takes every pixel that is left.
+/// To [`PP_AO`]: errata LX05 and LX06. A pixel belongs to one segment by its own count, which has 32 bits. The last segment
+/// takes every pixel that is left.
 pub const BY_COUNTER: Amendment = Amendment {
-    key: "LX05, LX06, LX07",
+    key: "LX05, LX06",
     kind: Kind::Correction,
     place: "section 5.1, if depth complexity(p) <= i",
     printed: steps! {
@@ -331,13 +334,88 @@ pub const NO_STENCIL: Amendment = Amendment {
     key: "LX07",
     kind: Kind::Correction,
     place: "section 6.2, stencil masking",
-    printed: steps! {
-        glEnable(STENCIL_TEST);
-        glStencilOp(KEEP, KEEP, INVERT);
-    },
+    printed: steps! { glEnable(STENCIL_TEST); },
     amended: steps! {},
     why: "no pixel is in two segments, so none has to be marked",
     test: "lx07_as_printed_pixels_are_resolved_twice",
+};
+
+/// The Fill Step before [`PP_AO`]. Section 5.1 counts in an integer buffer, which is the fill's own counter. The stencil
+/// buffer of section 6.2 is another one.
+pub const FILL_FOR_PP_AO: Listing = Listing {
+    title: "Clear Step and Fill Step before ppAO",
+    source: "Lindholm et al. 2015, figure 3 and sections 5.1 and 6.2",
+    dialect: Dialect::Calls,
+    steps: steps! {
+        prose "the ppAO component is implemented using an 8bit stencil buffer for masking the different complexity segments";
+        glBindFramebuffer(FILL);
+        glClearStencil(0);
+        glClear(STENCIL_BUFFER_BIT);
+        edition "as OpenGL has it at first";
+        glStencilOp(KEEP, KEEP, KEEP);
+        run CLEAR_AND_FILL;
+    },
+};
+
+/// To [`FILL_FOR_PP_AO`]: how the counts come into the stencil buffer, which holds up to 255.
+pub const COUNT_INTO_STENCIL: Amendment = Amendment {
+    key: "LX16",
+    kind: Kind::Filling(COUNTS_ALONG),
+    place: "sections 5.1 and 6.2, count depth complexity",
+    printed: steps! { run CLEAR_AND_FILL; },
+    amended: steps! { run CLEAR_AND_FILL amended by &[COUNT_WHILE_FILLING]; },
+    why: "the stencil buffer that masks has to hold the counts",
+    test: "lx16_literally_the_stencil_buffer_holds_no_count_and_masks_nothing",
+};
+
+/// To [`CLEAR_AND_FILL`], in [`COUNT_INTO_STENCIL`].
+pub const COUNT_WHILE_FILLING: Amendment = Amendment {
+    key: "LX16",
+    kind: Kind::Filling(COUNTS_ALONG),
+    place: "section 5.1, Fill Step",
+    printed: steps! { drawTransparentObjects(); },
+    amended: steps! {
+        glEnable(STENCIL_TEST);
+        glStencilFunc(ALWAYS, 0, 0xFF);
+        glStencilOp(KEEP, KEEP, INCR);
+        drawTransparentObjects();
+        glDisable(STENCIL_TEST);
+        glStencilOp(KEEP, KEEP, KEEP);
+    },
+    why: "the stencil buffer counts along",
+    test: "lx16_literally_the_stencil_buffer_holds_no_count_and_masks_nothing",
+};
+
+const COUNTS_ALONG: &str =
+    "Section 5.1: \"The counting can be combined with the scene rasterization in the Fill Step\"";
+
+/// To [`FILL_FOR_PP_AO`], with [`BY_COUNTER`].
+pub const COUNTED_ALREADY: Amendment = Amendment {
+    key: "LX06",
+    kind: Kind::Correction,
+    place: "section 6.2, 8bit stencil buffer",
+    printed: steps! {
+        glBindFramebuffer(FILL);
+        glClearStencil(0);
+        glClear(STENCIL_BUFFER_BIT);
+        glStencilOp(KEEP, KEEP, KEEP);
+        run CLEAR_AND_FILL;
+    },
+    amended: steps! { run CLEAR_AND_FILL; },
+    why: "the fill's own counter is the integer buffer of section 5.1",
+    test: "l11_complexities_of_255_and_more_share_the_last_segment_and_none_is_lost",
+};
+
+/// [`FILL_FOR_PP_AO`] as it runs as printed. It is a listing of its own, so that amendments from outside, such as
+/// [`PROXIES`], find the steps that count.
+pub const CLEAR_AND_COUNTING_FILL: Listing = Listing {
+    title: "Clear Step, and Fill Step that counts along",
+    source: "Lindholm et al. 2015, figure 3 and section 5.1",
+    dialect: Dialect::Calls,
+    steps: steps! {
+        edition "the Fill Step before ppAO";
+        run FILL_FOR_PP_AO amended by &[COUNT_INTO_STENCIL];
+    },
 };
 
 const BEFORE_RESOLVE: Listing = Listing {
@@ -367,22 +445,34 @@ const AFTER_RESOLVE: Listing = Listing {
     },
 };
 
-/// The resources that its listings take for granted if lists are filled by atomics. Other fills attach other maps,
+/// What the Clear Step and the Fill Step take for granted if lists are filled by atomics. Other fills attach other maps,
 /// because an attachment costs time.
-pub const RESOURCES: Resources = Resources {
+pub const FILLING: Resources = Resources {
+    maps: &[
+        (COUNTER, Holds::Exactly(Format::R32Ui)),
+        (ANCHOR, Holds::Exactly(Format::R32Ui)),
+    ],
+    framebuffers: &[
+        Framebuffer::new(CLEARED, &[COUNTER, ANCHOR], Some(OPAQUE_DEPTH)),
+        Framebuffer::new(FILL, &[], Some(OPAQUE_DEPTH)),
+    ],
+    storages: &[RECORDS, NEXT, OFFSETS, POOL],
+    ..Resources::NONE
+};
+
+/// What the Resolve Step takes for granted besides its variables.
+pub const RESOLVING: Resources = Resources {
     maps: &[
         (COUNTER, Holds::Exactly(Format::R32Ui)),
         (ANCHOR, Holds::Exactly(Format::R32Ui)),
         (COST, Holds::Exactly(Format::Rgba32Ui)),
     ],
-    made: &[RAY_ENDS],
-    framebuffers: &[
-        Framebuffer::new(CLEARED, &[COUNTER, ANCHOR], Some(OPAQUE_DEPTH)),
-        Framebuffer::new(FILL, &[], Some(OPAQUE_DEPTH)),
-        Framebuffer::new(RESOLVED, &[IMAGE_COLOR, COST], Some(OPAQUE_DEPTH)),
-    ],
-    storages: &[RECORDS, NEXT, OFFSETS, POOL],
-    variables: &["N", "num_segments"],
+    framebuffers: &[Framebuffer::new(
+        RESOLVED,
+        &[IMAGE_COLOR, COST],
+        Some(OPAQUE_DEPTH),
+    )],
+    ..Resources::NONE
 };
 
 /// One counter per pixel, which the Fill Step counts up from 0 or from the pixel's base offset.

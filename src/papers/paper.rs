@@ -13,11 +13,19 @@ pub struct Paper {
     pub citation: &'static str,
     /// The paper's printed texts, each with its name on the command line.
     pub texts: &'static [(&'static str, Text)],
-    /// The resources that its listings take for granted, all of them together. A method that runs one of them allocates
-    /// what that one needs, and a name that is missing then is refused.
+    /// The resources that its listings take for granted. Some say of which listings.
     pub resources: &'static [&'static Resources],
     /// What it claims, in its order.
     pub claims: &'static [Claim],
     /// What is wrong or missing in its print, in its order.
     pub errata: &'static [Erratum],
+}
+
+impl Paper {
+    /// The resources that one of its listings takes for granted, by its key.
+    pub fn resources_of(&self, key: &str) -> Vec<&'static Resources> {
+        let all = self.resources.iter().copied();
+        all.filter(|it| it.texts.is_empty() || it.texts.contains(&key))
+            .collect()
+    }
 }

@@ -20,7 +20,11 @@ pub const PAPER: Paper = Paper {
         ("four-nodes", Text::Listing(FOUR_NODES, &[])),
         ("eight-nodes", Text::Listing(EIGHT_NODES, &[])),
     ],
-    resources: &[&stage::RESOURCES, &RESOURCES_OF_EIGHT],
+    resources: &[
+        &stage::RESOURCES,
+        &RESOURCES_OF_FOUR.of(&["four-nodes"], SHADERS),
+        &RESOURCES_OF_EIGHT.of(&["eight-nodes"], SHADERS),
+    ],
     claims: &[],
     errata: &[],
 };
@@ -272,6 +276,7 @@ const ALL_NODES: Target = Target("nodes");
 const HIDING: Map = Map::named("hiding depth");
 /// Fragments are tested for depth, and write images only.
 const NO_COLORS: Target = Target("no colors");
+const SHADERS: &[Shader] = &[stage::SURFACE, BEGIN, INSERTION, FRONT_TO_BACK];
 const BEGIN: Shader = Shader("multi_layer/begin");
 const INSERTION: Shader = Shader("multi_layer/insert");
 const FRONT_TO_BACK: Shader = Shader("multi_layer/composite");

@@ -32,7 +32,18 @@ pub const PAPER: Paper = Paper {
         ("keep-layers", Text::Listing(KEEP_LAYERS, &[])),
         ("on-the-fly", Text::Listing(ON_THE_FLY, &[])),
     ],
-    resources: &[&stage::RESOURCES, &stage::ACCUMULATING, &PEELING],
+    resources: &[
+        &stage::RESOURCES.of(
+            &["opaque-first", "keep-layers", "on-the-fly"],
+            &[stage::SURFACE],
+        ),
+        &PEELING.of(&["keep-layers"], &[PEEL_SURFACE, OVER]),
+        &Resources {
+            made: &[],
+            ..PEELING.of(&["on-the-fly"], &[PEEL_SURFACE])
+        },
+        &stage::ACCUMULATING.of(&["on-the-fly"], &[UNDER_LAYER, LAYER]),
+    ],
     claims: claims::CLAIMS,
     errata: errata::ERRATA,
 };
@@ -274,7 +285,7 @@ pub const DEPTH_BUFFERS: [Map; 2] = [
 ];
 const DEPTH_BUFFER_B: Map = Map::at("depth buffer", "B");
 const LAYER_DEPTH_I: Map = Map::at("layer depth", "i");
-const OVER: Shader = Shader("over");
+pub(super) const OVER: Shader = Shader("over");
 /// Puts a layer under those before it.
 pub const UNDER_LAYER: Shader = Shader("under");
 const PEELED: Query = Query("peeled");

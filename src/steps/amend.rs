@@ -41,6 +41,7 @@ impl<S> Amendment<S> {
                 test: self.test,
             },
             Kind::Filling(rests_on) => Origin::Filling { key, why, rests_on },
+            Kind::Silence(rests_on) => Origin::Silence { key, why, rests_on },
             Kind::Prose(quote) => Origin::Prose { quote },
             Kind::Edition => Origin::Edition { why },
         }

@@ -230,6 +230,8 @@ calls! {
             => "glTranslatef"(x = x.to_string(), y = y.to_string(), z = z.to_string());
         Scale: glScalef(x: f32, y: f32, z: f32)
             => "glScalef"(x = x.to_string(), y = y.to_string(), z = z.to_string());
+        /// `glScalef` with computed factors for x and y, and 1 for z.
+        ScaleBy: scale_by(x: Number<f32>, y: Number<f32>) => "glScalef"(x, y, z = "1");
         /// The paper's `m(0,0) = ...`: sixteen assignments, row by row.
         SetM: m(rows: [[f32; 4]; 4]);
         /// The paper's `glMultMatrix(m)`.

@@ -10,7 +10,7 @@ use super::amend::{Met, Scope};
 use super::call::Call;
 use super::expr::{Condition, Expr};
 use super::listing::{Amendment, Listing, Step};
-use super::names::{Index, Map, Name, Query};
+use super::names::{Index, Map, Name, Query, Shader};
 use super::resources::Resources;
 use crate::error::{Error, Result, did_you_mean};
 
@@ -44,6 +44,17 @@ impl Known {
     pub fn with_variables(mut self, names: impl IntoIterator<Item = &'static str>) -> Self {
         self.variables.extend(names);
         self
+    }
+
+    /// The shaders that exist, and of them those that the resources name, if any do.
+    fn drawn_with(&self) -> impl Iterator<Item = &str> {
+        let named = self.resources.iter().filter_map(|it| it.shaders);
+        let named: Vec<_> = named.collect();
+        let existing = self.shaders.iter().map(String::as_str);
+        existing.filter(move |shader| {
+            let names = |it: &&[Shader]| it.iter().any(|other| other.0 == *shader);
+            named.is_empty() || named.iter().any(names)
+        })
     }
 
     fn maps(&self) -> Vec<Map> {
@@ -209,7 +220,7 @@ impl<'k> Names<'k> {
         Self {
             maps: known.maps(),
             targets: targets.collect(),
-            shaders: known.shaders.iter().map(String::as_str).collect(),
+            shaders: known.drawn_with().collect(),
             storages: storages.collect(),
             queries: found.begun.iter().map(|(query, _)| query.0).collect(),
             variables: given.chain(&found.set).copied().collect(),

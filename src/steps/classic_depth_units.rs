@@ -5,14 +5,14 @@
 //! | --- | --- |
 //! | bind buffer | bound to texture unit 3, as Listing 2 leaves it, or copied into a rectangle texture that is bound there |
 //! | set depth func | `GL_TEXTURE_COMPARE_FUNC` |
-//! | enable, disable depth test | `GL_TEXTURE_2D`, or the rectangle's, and `GL_ALPHA_TEST` together |
+//! | enable, disable depth test | `GL_TEXTURE_2D`, or the rectangle's, and `GL_ALPHA_TEST` together; where texture unit 3 has a shader operation, that operation, or `GL_NONE` |
 //! | disable depth writes | nothing to do: a texture is not written |
 //!
 //! Depth unit 1 is the ordinary depth buffer. Surfaces that would be drawn with the program `peel` are drawn by the
 //! emulated fixed functions.
 
 use super::call::{Call, ClassicCall};
-use super::classic::{ClassicCapability, TextureTarget};
+use super::classic::{ClassicCapability, TexEnvName, TexEnvValue, TextureTarget};
 use super::constants::Capability;
 use super::depth_units::DepthUnits;
 use super::names::{Map, Query, Shader};
@@ -28,6 +28,9 @@ pub struct ClassicDepthUnits<'a, M> {
     fixed_functions: Shader,
     /// The texture that the shadow map is looked up in.
     target: TextureTarget,
+    texture_unit: u32,
+    /// The shader operation that texture unit 3 has been given.
+    operation: Option<TexEnvValue>,
 }
 
 /// The texture unit with the shadow map.
@@ -44,6 +47,8 @@ impl<'a, M: Machine> ClassicDepthUnits<'a, M> {
             active: 1,
             fixed_functions,
             target: TextureTarget::Texture2D,
+            texture_unit: 0,
+            operation: None,
         }
     }
 
@@ -57,6 +62,15 @@ impl<'a, M: Machine> ClassicDepthUnits<'a, M> {
     }
 
     fn classic(&mut self, call: ClassicCall) -> Result<()> {
+        match call {
+            ClassicCall::ActiveTexture { unit } => self.texture_unit = unit,
+            ClassicCall::TexEnv {
+                pname: TexEnvName::ShaderOperation,
+                param,
+                ..
+            } if self.texture_unit == SHADOW_UNIT => self.operation = Some(param),
+            _ => {}
+        }
         self.units.perform(&Call::Classic(call))
     }
 
@@ -82,16 +96,30 @@ impl<'a, M: Machine> ClassicDepthUnits<'a, M> {
             Call::DepthFunc { func } => self.classic(ClassicCall::TextureCompareFunc { func }),
             Call::Enable {
                 cap: Capability::DepthTest,
-            } => self.test(|cap| ClassicCall::Enable { cap }),
+            } => self.test(self.operation, |cap| ClassicCall::Enable { cap }),
             Call::Disable {
                 cap: Capability::DepthTest,
-            } => self.test(|cap| ClassicCall::Disable { cap }),
+            } => {
+                let none = self.operation.map(|_| TexEnvValue::None);
+                self.test(none, |cap| ClassicCall::Disable { cap })
+            }
             _ => self.units.perform(call),
         }
     }
 
-    fn test(&mut self, call: impl Fn(ClassicCapability) -> ClassicCall) -> Result<()> {
+    fn test(
+        &mut self,
+        operation: Option<TexEnvValue>,
+        call: impl Fn(ClassicCapability) -> ClassicCall,
+    ) -> Result<()> {
         self.classic(ClassicCall::ActiveTexture { unit: SHADOW_UNIT })?;
+        if let Some(param) = operation {
+            self.units.perform(&Call::Classic(ClassicCall::TexEnv {
+                target: TexEnvName::TextureShader,
+                pname: TexEnvName::ShaderOperation,
+                param,
+            }))?;
+        }
         self.classic(call(match self.target {
             TextureTarget::Texture2D => ClassicCapability::Texture2D,
             TextureTarget::Rectangle => ClassicCapability::TextureRectangle,
@@ -114,6 +142,7 @@ impl<M: Machine> Machine for ClassicDepthUnits<'_, M> {
                 program: self.fixed_functions,
             }),
             _ if self.active == 0 => self.unit_0(call),
+            Call::Classic(call) => self.classic(call),
             _ => self.units.perform(call),
         }
     }

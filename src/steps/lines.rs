@@ -86,8 +86,14 @@ impl Lines {
     /// The reason of an amendment.
     pub(super) fn amendment<S>(&mut self, lead: &str, amendment: &Amendment<S>) {
         let origin = amendment.origin();
-        let text = format!("{}: {}", amendment.key, amendment.why);
-        self.note(lead, text, Some(origin));
+        let (key, why) = (amendment.key, amendment.why);
+        if let Origin::Silence { .. } = origin {
+            let text = format!(
+                "the paper does not say: {why} (filled by {key} in the reading as-printed)"
+            );
+            return self.note(lead, text, Some(origin));
+        }
+        self.note(lead, format_args!("{key}: {why}"), Some(origin));
         if let Origin::Filling { rests_on, .. } = origin {
             self.note(lead, rests_on, Some(origin));
         }
@@ -129,7 +135,10 @@ impl Lines {
         match origin {
             Origin::Prose { quote } => self.note(lead, format_args!("\"{quote}\""), Some(origin)),
             Origin::Edition { why } => self.note(lead, why, Some(origin)),
-            Origin::Printed | Origin::Filling { .. } | Origin::Amendment { .. } => {}
+            Origin::Printed
+            | Origin::Silence { .. }
+            | Origin::Filling { .. }
+            | Origin::Amendment { .. } => {}
         }
     }
 

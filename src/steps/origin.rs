@@ -23,6 +23,15 @@ pub enum Origin {
         /// The sentence or the figure that the filling rests on.
         rests_on: &'static str,
     },
+    /// Nothing: here the paper leaves something open, and the reading leaves it open, too.
+    Silence {
+        /// The key of the filling that other readings have here.
+        key: &'static str,
+        /// The filling's reason.
+        why: &'static str,
+        /// The sentence or the figure that the filling rests on.
+        rests_on: &'static str,
+    },
     /// It replaces what is wrong in the paper.
     Amendment {
         /// The erratum's key.
@@ -41,9 +50,10 @@ pub enum Origin {
 
 impl Origin {
     /// The letters of all origins, each with its meaning.
-    pub const LEGEND: [(char, &'static str); 5] = [
+    pub const LEGEND: [(char, &'static str); 6] = [
         ('p', "printed in the paper"),
         ('s', "said in the paper's prose"),
+        ('?', "the paper does not say, and nothing is done"),
         ('f', "fills what the paper leaves open"),
         ('a', "amends what is wrong in the paper"),
         ('e', "this edition's own"),
@@ -54,6 +64,7 @@ impl Origin {
         match self {
             Self::Printed => 'p',
             Self::Prose { .. } => 's',
+            Self::Silence { .. } => '?',
             Self::Filling { .. } => 'f',
             Self::Amendment { .. } => 'a',
             Self::Edition { .. } => 'e',
@@ -65,6 +76,7 @@ impl Origin {
         match self {
             Self::Printed => "printed",
             Self::Prose { .. } => "prose",
+            Self::Silence { .. } => "silence",
             Self::Filling { .. } => "filling",
             Self::Amendment { .. } => "amendment",
             Self::Edition { .. } => "edition",
@@ -96,6 +108,8 @@ pub enum Kind {
     Correction,
     /// It fills what the paper leaves open. This is the sentence or the figure that it rests on.
     Filling(&'static str),
+    /// It changes nothing, and stands where a filling would. This is what the filling rests on.
+    Silence(&'static str),
     /// A sentence says it, of this paper or of another that builds on it.
     Prose(&'static str),
     /// This edition has it for a reason of its own. What it replaces is not wrong.

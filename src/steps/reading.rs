@@ -28,6 +28,23 @@ impl Reading {
         }
     }
 
+    /// The amendments that are shown in this reading: those that hold, and in the literal one, where there is none, the
+    /// places that the others fill.
+    pub fn shown<S: Statement>(self, amendments: &[Amendment<S>]) -> Vec<Amendment<S>> {
+        let silence = |amendment: &Amendment<S>| match amendment.kind {
+            Kind::Filling(rests_on) => Some(Amendment {
+                kind: Kind::Silence(rests_on),
+                amended: amendment.printed,
+                ..*amendment
+            }),
+            _ => None,
+        };
+        match self {
+            Self::Literal => amendments.iter().filter_map(silence).collect(),
+            Self::AsPrinted | Self::Amended => self.of(amendments),
+        }
+    }
+
     /// The amendments that hold in this reading.
     pub fn of<S: Statement>(self, amendments: &[Amendment<S>]) -> Vec<Amendment<S>> {
         let holds = |amendment: &&Amendment<S>| match self {

@@ -1,7 +1,7 @@
 //! The resources that must exist before a listing runs: maps, framebuffers and buffers by name, and variables.
 
 use super::format::Format;
-use super::names::{Map, Storage, Target};
+use super::names::{Map, Shader, Storage, Target};
 
 /// Everything that a listing takes for granted.
 #[derive(Clone, Copy, Debug)]
@@ -16,6 +16,10 @@ pub struct Resources {
     pub storages: &'static [Storage],
     /// Variables that have a value before it begins.
     pub variables: &'static [&'static str],
+    /// The shaders that it draws with, or `None` for whatever the machine has.
+    pub shaders: Option<&'static [Shader]>,
+    /// The keys of the texts that take all this for granted, or none for every text of a paper.
+    pub texts: &'static [&'static str],
 }
 
 /// The contents of a map.
@@ -48,7 +52,18 @@ impl Resources {
         framebuffers: &[],
         storages: &[],
         variables: &[],
+        shaders: None,
+        texts: &[],
     };
+
+    /// The same for these texts of a paper, which draw with these shaders.
+    pub const fn of(self, texts: &'static [&'static str], shaders: &'static [Shader]) -> Self {
+        Self {
+            texts,
+            shaders: Some(shaders),
+            ..self
+        }
+    }
 }
 
 impl Framebuffer {

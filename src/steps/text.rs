@@ -48,11 +48,13 @@ impl Text {
     /// The lines of the text, read like this.
     pub fn lines(&self, reading: Reading) -> Vec<TextLine> {
         match self {
-            Self::Listing(listing, amendments) => print::lines(listing, &reading.of(amendments)),
+            Self::Listing(listing, amendments) => print::lines(listing, &reading.shown(amendments)),
             Self::Pseudocode(algorithm, amendments) => {
-                pseudo::lines(algorithm, &reading.of(amendments))
+                pseudo::lines(algorithm, &reading.shown(amendments))
             }
-            Self::Lists(algorithm, amendments) => list::lines(algorithm, &reading.of(amendments)),
+            Self::Lists(algorithm, amendments) => {
+                list::lines(algorithm, &reading.shown(amendments))
+            }
         }
     }
 

@@ -194,12 +194,14 @@ fn a_listing_without_what_is_not_printed_is_the_paper_s_own() {
             include_str!("../print/lindholm/section-5.1.txt"),
         ),
     ] {
-        let text = result(&["listing", name, "--as-printed"]);
-        let printed = text.lines().filter_map(|line| line.strip_prefix('p'));
-        let printed: String = printed
-            .map(|line| format!("{}\n", line.strip_prefix(' ').unwrap_or(line)))
-            .collect();
-        assert_eq!(printed, transcript, "{name}");
+        for flag in ["--as-printed", "--literal"] {
+            let text = result(&["listing", name, flag]);
+            let printed = text.lines().filter_map(|line| line.strip_prefix('p'));
+            let printed: String = printed
+                .map(|line| format!("{}\n", line.strip_prefix(' ').unwrap_or(line)))
+                .collect();
+            assert_eq!(printed, transcript, "{name}");
+        }
     }
 }
 
@@ -250,6 +252,7 @@ fn expect_step(step: &serde_json::Value) {
         "stop",
         "depth-unit",
         "run",
+        "silence",
         "line",
     ];
     let what = step["step"].as_str().expect("what it is");

@@ -8,7 +8,7 @@ use std::cell::RefCell;
 use onionskin::low_level::emulator::run_on_lists;
 use onionskin::low_level::methods::Technique;
 use onionskin::low_level::papers::lindholm_2015::components::{
-    KEEP_NEAREST, PP_AO, PP_AO_KEEPING_NEAREST, PP_AO_WITHOUT_PP_DP, STATIC_ARRAY,
+    KEEP_NEAREST, PP_AO, PP_AO_AMENDMENT, PP_AO_KEEPING_NEAREST, STATIC_ARRAY,
 };
 use onionskin::options::{ABufferOptions, ArraySort, Fill, Keep, Manager, RecordColor};
 use onionskin::{Comparison, Context, Fragment, Image, Method, Renderer, registry};
@@ -98,7 +98,7 @@ fn emulated(list: &[Fragment], options: &ABufferOptions) -> Vec<u32> {
     let (algorithm, amendments) = match (options.pp_ao, options.keep) {
         (false, Keep::First) => (STATIC_ARRAY, vec![]),
         (false, Keep::Nearest) => (STATIC_ARRAY, vec![KEEP_NEAREST]),
-        (true, Keep::First) => (PP_AO, vec![PP_AO_WITHOUT_PP_DP]),
+        (true, Keep::First) => (PP_AO, vec![PP_AO_AMENDMENT]),
         (true, Keep::Nearest) => (PP_AO, vec![PP_AO_KEEPING_NEAREST]),
     };
     let run = run_on_lists(&algorithm, &amendments, &[in_memory], options.array, 1).unwrap();

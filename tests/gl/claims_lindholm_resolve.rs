@@ -251,6 +251,32 @@ pub(crate) fn lx07_as_printed_pixels_are_resolved_twice() {
     assert_eq!(error.over, 0, "{error:?}");
 }
 
+/// Erratum LX16: the stencil buffer is there, and nothing counts into it. As printed, the fill does.
+#[test]
+pub(crate) fn lx16_literally_the_stencil_buffer_holds_no_count_and_masks_nothing() {
+    let context = Context::headless().unwrap();
+    let counts = [1, 5, 20, 60];
+    let stack = row(&counts);
+    let mut renderer = Renderer::new(&context, 4, 1).unwrap();
+    for manager in MANAGERS {
+        let mut cost = |reading| {
+            let options = ABufferOptions {
+                manager,
+                pp_ao: true,
+                reading,
+                ..options()
+            };
+            let (frame, cost) = render(&mut renderer, &stack.scene(), options);
+            let error = Comparison::new(&frame.image, &stack.expected(), F32).unwrap();
+            (cost.resolved, cost.slots_reserved, error.over)
+        };
+        // Each of four segments draws each of four pixels, and the last one's cost is what is left. A pixel of one fragment is
+        // seen four times over itself.
+        assert_eq!(cost(Reading::Literal), (16, 4 * 64, 4));
+        assert_eq!(cost(Reading::AsPrinted), (4, 8 + 8 + 32 + 64, 0));
+    }
+}
+
 /// The bound, and that it is not reached: the pseudocode resolves n, not n - 1 (erratum LX02).
 #[test]
 pub(crate) fn l12_a_pixel_takes_at_most_d_over_n_minus_1_subpasses() {

@@ -7,7 +7,7 @@ use crate::kit::render::render;
 use glam::{DMat4, DVec3, DVec4};
 use onionskin::generate::{Soup, soup};
 use onionskin::low_level::gl::{CapturedFragment, ClassicState, Geometry, GlMachine};
-use onionskin::low_level::papers::everitt_2001::{LISTING_2, SHADOW_AS_DEPTH_TEST};
+use onionskin::low_level::papers::everitt_2001::{ENABLED, LISTING_2, SHADOW_AS_DEPTH_TEST};
 use onionskin::low_level::steps::{
     Call, Capability, ClassicCall, Machine, Map, Objects, Query, Shader, Step, Target, Variables,
     gl::*, print, run,
@@ -293,7 +293,7 @@ fn set_up(view: DMat4, projection: DMat4) -> ClassicState {
         }
     }
     let mut alone = Alone(ClassicState::new(view, projection));
-    run(&LISTING_2, &[], Variables::new(), &mut alone).unwrap();
+    run(&LISTING_2, &[ENABLED], Variables::new(), &mut alone).unwrap();
     alone.0
 }
 
@@ -359,7 +359,7 @@ fn nearest(context: &Context, scene: &Scene, replace: bool) -> Vec<f32> {
     machine.framebuffer(TARGET, None, Some(DEPTH)).unwrap();
     machine.set_geometry(Geometry::upload(context, scene, scene.size).unwrap());
     machine.begin_frame();
-    run(&LISTING_2, &[], Variables::new(), &mut machine).unwrap();
+    run(&LISTING_2, &[ENABLED], Variables::new(), &mut machine).unwrap();
     run(&SHADOW_AS_DEPTH_TEST, &[], Variables::new(), &mut machine).unwrap();
     let program = if replace {
         "classic/depth_replace"

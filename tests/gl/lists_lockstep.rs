@@ -10,7 +10,7 @@ use onionskin::low_level::papers::lindholm_2015::components::*;
 use onionskin::low_level::steps::Amendment;
 use onionskin::low_level::steps::pseudo::Pseudocode;
 use onionskin::low_level::steps::pseudo::list::{Counter, ListLine, Mark};
-use onionskin::options::{ABufferOptions, Keep, Manager, RecordColor};
+use onionskin::options::{ABufferOptions, Fill, Keep, Manager, Reading, RecordColor};
 use onionskin::{Comparison, Context, Fragment, Image, Method, Renderer};
 use proptest::test_runner::{TestCaseError, TestError};
 
@@ -43,9 +43,6 @@ impl Twins {
     }
 }
 
-/// As printed the order in memory decides between equal depths, which in the shader always is that of submission.
-const CONTIGUOUS: [Manager; 2] = [Manager::Ffb, Manager::Dfb];
-
 fn twins() -> Vec<Twins> {
     let mut all = Vec::new();
     let mut add = |name, algorithm, amendments: &[_], options| {
@@ -72,13 +69,18 @@ fn twins() -> Vec<Twins> {
                 ..options
             };
             add("ppDP", PP_DP, &PP_DP_AMENDMENTS, options);
-            if CONTIGUOUS.contains(&manager) {
-                let as_printed = ABufferOptions {
-                    reading: onionskin::options::Reading::AsPrinted,
-                    ..options
-                };
-                add("ppDP as printed", PP_DP, &[STOP], as_printed);
+            let read = |reading| ABufferOptions { reading, ..options };
+            add("ppDP as printed", PP_DP, &[STOP], read(Reading::AsPrinted));
+            if peel != 3 {
+                continue;
             }
+            // The order in memory decides between equal depths, so the order of the fill is looked at, too.
+            let by_atomics = ABufferOptions {
+                fill: Fill::Atomics,
+                ..read(Reading::AsPrinted)
+            };
+            add("ppDP as printed, by atomics", PP_DP, &[STOP], by_atomics);
+            add("ppDP literally", PP_DP, &[], read(Reading::Literal));
         }
         let nearest = |options| ABufferOptions {
             keep: Keep::Nearest,
@@ -94,16 +96,16 @@ fn twins() -> Vec<Twins> {
             pp_ao: true,
             ..options
         };
-        add("ppAO", PP_AO, &[PP_AO_WITHOUT_PP_DP], pp_ao);
+        add("ppAO", PP_AO, &[PP_AO_AMENDMENT], pp_ao);
         let nearest = nearest(pp_ao);
         add("ppAO, nearest", PP_AO, &[PP_AO_KEEPING_NEAREST], nearest);
         let both = ABufferOptions {
             pp_dp: true,
             ..pp_ao
         };
-        add("ppAO + ppDP", PP_AO, &[PP_AO_AMENDMENT], both);
+        add("ppAO + ppDP", PP_AO, &[PP_AO_WITH_PP_DP], both);
         let as_printed = ABufferOptions {
-            reading: onionskin::options::Reading::AsPrinted,
+            reading: Reading::AsPrinted,
             ..pp_ao
         };
         let invert = stencil(Counter::Stencil, Mark::Invert);
@@ -158,14 +160,24 @@ fn difference(renderer: &mut Renderer<'_>, twins: &Twins, stack: &Stack) -> Resu
         .iter()
         .map(|list| twins.in_memory(list.clone()))
         .collect();
-    let run = run_on_lists(
-        &twins.algorithm,
-        &twins.amendments,
-        &in_memory,
-        twins.array(),
-        100,
-    )
-    .map_err(|error| error.to_string())?;
+    // Each by itself: the shader gives a list up after one more subpass than it has fragments.
+    let resolved = |list: &Vec<Fragment>| {
+        let limit = list.len() as u32 + 1;
+        let list = std::slice::from_ref(list);
+        run_on_lists(
+            &twins.algorithm,
+            &twins.amendments,
+            list,
+            twins.array(),
+            limit,
+        )
+    };
+    let runs: Result<Vec<ListRun>, _> = in_memory.iter().map(resolved).collect();
+    let runs = runs.map_err(|error| error.to_string())?;
+    let run = ListRun {
+        ended: runs.iter().all(|run| run.ended),
+        pixels: runs.into_iter().flat_map(|run| run.pixels).collect(),
+    };
     let frame = renderer
         .render(&stack.scene(), &Method::ABuffer(twins.options))
         .map_err(|error| error.to_string())?;
@@ -235,8 +247,54 @@ fn the_pseudocode_and_the_shaders_resolve_the_same_fragments() {
             twins.array(),
             lost.get()
         );
-        let loses = options.reading == onionskin::options::Reading::AsPrinted || !options.pp_dp;
+        let loses = options.reading != Reading::Amended || !options.pp_dp;
         assert_eq!(lost.get() > 0, loses, "{name}");
+    }
+}
+
+/// LX03: where no fragment is lost, waiting for all of them ends as soon as nothing is dropped. Where a tie is lost it never
+/// would, in the shader as in the text.
+#[test]
+fn literally_the_shader_waits_for_a_lost_fragment_as_the_pseudocode_does() {
+    let context = Context::headless().expect("a context");
+    let mut renderer = Renderer::new(&context, 1, 1).expect("a renderer");
+    let literal = |manager| Twins {
+        name: "ppDP literally",
+        algorithm: PP_DP,
+        amendments: Vec::new(),
+        options: ABufferOptions {
+            manager,
+            pp_dp: true,
+            peel: 2,
+            color: RecordColor::Float,
+            reading: Reading::Literal,
+            ..ABufferOptions::DEFAULT
+        },
+    };
+    for manager in MANAGERS {
+        let twins = literal(manager);
+        for (levels, lost, subpasses, stopped) in [
+            ([5, 1, 3, 2, 4], 0, 3, "done"),
+            // The second of two at 3 is left over when the first subpass ends: 1 and a 3, then 4 and 5, and so on for nothing.
+            ([5, 1, 3, 3, 4], 1, 6, "no end"),
+        ] {
+            let piece = |level| stack::Piece {
+                level,
+                color: [0.1 * f32::from(level), 0.5, 0.2, 0.4],
+            };
+            let stack = Stack {
+                width: 1,
+                pixels: vec![levels.map(piece).to_vec()],
+                opaque: None,
+            };
+            assert_eq!(difference(&mut renderer, &twins, &stack), Ok(lost));
+            let frame = renderer
+                .render(&stack.scene(), &Method::ABuffer(twins.options))
+                .unwrap();
+            let counts = frame.stats.a_buffer.unwrap();
+            assert_eq!(counts.subpasses, subpasses, "{levels:?}");
+            assert!(frame.stats.stopped_text().starts_with(stopped));
+        }
     }
 }
 
@@ -272,12 +330,14 @@ fn an_algorithm_that_differs_would_be_noticed() {
             ..
         } = twins.options;
         twins.amendments = match keep {
-            Keep::First if reading == onionskin::options::Reading::AsPrinted && pp_ao => {
-                vec![PP_AO_WITHOUT_PP_DP]
+            Keep::First if reading == Reading::AsPrinted && pp_ao => {
+                vec![PP_AO_AMENDMENT]
             }
             // What the array keeps is then not what the shader keeps.
             Keep::First if !pp_ao && !pp_dp => vec![KEEP_NEAREST],
-            Keep::Nearest if pp_ao => vec![PP_AO_WITHOUT_PP_DP],
+            // A subpass that drops nothing is the last, even if ties were lost.
+            Keep::First if reading == Reading::Literal => vec![STOP],
+            Keep::Nearest if pp_ao => vec![PP_AO_AMENDMENT],
             _ => Vec::new(),
         };
         let other = difference(&mut renderer, &twins, &stack);

@@ -79,20 +79,31 @@ fn options_that_a_method_does_not_have_are_refused() {
         desk.refused(&arguments).says(&[method, "depth-peeling"]);
         assert_eq!(desk.names(), ["sheets.toml"]);
     }
-    let as_printed = [
-        "render",
-        "sheets.toml",
-        "-o",
-        "out.png",
-        "--as-printed",
-        "--peels",
-        "3",
-        "--depth-unit-0",
-        "classic",
-    ];
-    desk()
-        .refused(&as_printed)
-        .says(&["as printed", "--depth-unit-0"]);
+}
+
+/// As printed, the silence of the texts on the depth unit of 2001 is filled. Literally nothing is peeled, and each layer is the
+/// first.
+#[test]
+fn the_depth_unit_of_2001_runs_in_every_reading_of_its_paper() {
+    let error = |unit, reading| {
+        let answer = desk().run(&[
+            "render",
+            "sheets.toml",
+            "-o",
+            "out.png",
+            "--peels",
+            "8",
+            "--depth-unit-0",
+            unit,
+            reading,
+            "--json",
+        ]);
+        number(&answer, "max_error")
+    };
+    let today = error("sampler", "--as-printed");
+    let unit = "classic-depth-replace";
+    assert!((error(unit, "--as-printed") - today).abs() < 1e-6);
+    assert!(error(unit, "--literal") > today + 1e-3);
 }
 
 #[test]

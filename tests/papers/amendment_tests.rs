@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
+use onionskin::low_level::steps::{Origin, Reading};
 use onionskin::papers;
 
 use crate::ledger::{cited, compiled};
@@ -51,6 +52,50 @@ fn every_amendment_of_every_text_is_among_those_that_are_held_against_the_tests(
     }
 }
 
+/// Improvements, which amend nothing that is wrong and belong to no claim.
+const IMPROVEMENTS: [&str; 4] = ["GEQUAL", "early stop", "batches", "images"];
+
+/// So that a reader of a listing finds the key in the tables.
+#[test]
+fn every_amendment_s_key_is_that_of_an_erratum_or_of_a_claim_or_an_improvement_s() {
+    let errata = papers().iter().flat_map(|paper| paper.errata);
+    let errata: BTreeSet<&str> = errata.map(|erratum| erratum.key).collect();
+    let claims = papers().iter().flat_map(|paper| paper.claims);
+    let claims: BTreeSet<&str> = claims.map(|claim| claim.key).collect();
+    // Those of the sources, for some stand in no text.
+    let keys = strings("key: \"");
+    let keys = keys.iter().flat_map(|keys| keys.split(", "));
+    let keys: BTreeSet<&str> = keys
+        .filter(|key| !papers().iter().any(|paper| paper.key == *key))
+        .collect();
+    let known =
+        |key: &&str| errata.contains(*key) || claims.contains(*key) || IMPROVEMENTS.contains(key);
+    let unknown: Vec<_> = keys.iter().filter(|key| !known(key)).collect();
+    assert!(unknown.is_empty(), "{unknown:?}");
+    let improvements = IMPROVEMENTS.iter().filter(|key| keys.contains(**key));
+    assert_eq!(improvements.count(), IMPROVEMENTS.len());
+    assert!(!known(&"CX99"));
+    // What corrects a paper or fills its silence is an erratum of it.
+    let mut amending = BTreeSet::new();
+    for paper in papers() {
+        for (name, text) in paper.texts {
+            for reading in [Reading::AsPrinted, Reading::Amended] {
+                for line in text.lines(reading) {
+                    if let Some(Origin::Filling { key, .. } | Origin::Amendment { key, .. }) =
+                        line.origin
+                    {
+                        for key in key.split(", ") {
+                            assert!(errata.contains(key), "{}/{name}: {key}", paper.key);
+                            amending.insert(key);
+                        }
+                    }
+                }
+            }
+        }
+    }
+    assert!(amending.len() > 20, "{amending:?}");
+}
+
 /// The names of tests, without their modules.
 fn existing() -> BTreeSet<String> {
     let cited = cited().into_iter().map(str::to_owned);
@@ -66,25 +111,29 @@ fn existing() -> BTreeSet<String> {
 
 /// The tests that the amendments in the sources name.
 fn named() -> BTreeSet<String> {
-    let mut found = BTreeSet::new();
-    collect(
-        &Path::new(env!("CARGO_MANIFEST_DIR")).join("src"),
-        &mut found,
-    );
+    let found = strings("test: \"");
     assert!(found.len() > 40, "{}", found.len());
     found
 }
 
-fn collect(folder: &Path, found: &mut BTreeSet<String>) {
+/// The strings of this field in the sources.
+fn strings(field: &str) -> BTreeSet<String> {
+    let mut found = BTreeSet::new();
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    collect(&folder, field, &mut found);
+    found
+}
+
+fn collect(folder: &Path, field: &str, found: &mut BTreeSet<String>) {
     for entry in fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
         if path.is_dir() {
-            collect(&path, found);
+            collect(&path, field, found);
             continue;
         }
         let text = fs::read_to_string(&path).unwrap();
         let lines = text.lines().map(str::trim);
-        let names = lines.filter_map(|line| line.strip_prefix("test: \"")?.strip_suffix("\","));
-        found.extend(names.map(str::to_owned));
+        let strings = lines.filter_map(|line| line.strip_prefix(field)?.strip_suffix("\","));
+        found.extend(strings.map(str::to_owned));
     }
 }

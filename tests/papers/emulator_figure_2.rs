@@ -12,16 +12,18 @@ use onionskin::low_level::papers::stage;
 use onionskin::low_level::steps::{Amendment, Variables, gl::*, run};
 use onionskin::{Format, steps};
 
+use crate::figure_2_orders::{End, fits};
 use crate::kit::peels::{Loop, Pixel, pixel, random_image};
 
-/// One of the 18 orders of depth that fit what the text says of figure 2: s_k is submitted as number k.
+/// One of the 18 orders of depth that fit what the text says of figure 2.
+const ORDER: [usize; 11] = [0, 4, 3, 5, 6, 10, 9, 7, 2, 1, 8];
+
+/// Its depths: s_k is submitted as number k.
 const FIGURE_2: [f32; 11] = {
-    // s0 < s4 < s3 < s5 < s6 < s10 < s9 < s7 < s2 < s1 < s8
     let mut depths = [0.0; 11];
-    let order = [0, 4, 3, 5, 6, 10, 9, 7, 2, 1, 8];
     let mut place = 0;
-    while place < order.len() {
-        depths[order[place]] = (place + 1) as f32 / 16.0;
+    while place < ORDER.len() {
+        depths[ORDER[place]] = (place + 1) as f32 / 16.0;
         place += 1;
     }
     depths
@@ -126,68 +128,22 @@ fn figure_2_with_one_changed_word_is_another_trace() {
     assert_ne!(changed[3].left, (255, FIGURE_2[10]));
 }
 
-/// Pass by pass without a machine: what pass 1 to 4 do with the surfaces behind s4, from the text alone.
-fn figure_2_trace_fits(depths: &[f32; 11]) -> bool {
-    let behind: Vec<usize> = (0..11).filter(|&s| depths[s] > depths[4]).collect();
-    let mut lowered = Vec::new();
-    let mut nearest = 1.0;
-    for &s in &behind {
-        if depths[s] < nearest {
-            nearest = depths[s];
-            lowered.push(s);
-        }
-    }
-    if lowered != [1, 2, 3] {
-        return false;
-    }
-    let in_range: Vec<usize> = behind
-        .iter()
-        .copied()
-        .filter(|&s| depths[s] >= depths[3] && depths[s] < depths[2])
-        .collect();
-    let breaks = in_range
-        .windows(2)
-        .position(|pair| depths[pair[1]] <= depths[pair[0]]);
-    let run = breaks.map_or(in_range.len(), |place| place + 1);
-    in_range[..run] == [3, 5, 6, 7] && in_range[run..] == [9, 10] && depths[10] < depths[9]
+/// The depths of s1 to s10 as places.
+fn places(order: [usize; 11]) -> [u32; 10] {
+    let place = |s| order.iter().position(|&other| other == s);
+    std::array::from_fn(|at| place(at + 1).expect("it is in the order") as u32)
 }
 
 #[test]
-pub(crate) fn exactly_18_orders_of_s1_to_s10_fit_figure_2_s_text() {
-    // s0 is in front of everything, as it must not be counted.
-    let mut fitting = 0;
-    let mut depths = [0.0; 11];
-    let mut order: Vec<usize> = (1..=10).collect();
-    each_permutation(&mut order, 0, &mut |order| {
-        for (place, &s) in order.iter().enumerate() {
-            depths[s] = (place + 1) as f32 / 16.0;
-        }
-        fitting += usize::from(figure_2_trace_fits(&depths));
-    });
-    assert_eq!(fitting, 18);
-    assert!(figure_2_trace_fits(&FIGURE_2));
-}
-
-fn each_permutation(items: &mut Vec<usize>, from: usize, visit: &mut impl FnMut(&[usize])) {
-    if from == items.len() {
-        return visit(items);
-    }
-    for place in from..items.len() {
-        items.swap(from, place);
-        each_permutation(items, from + 1, visit);
-        items.swap(from, place);
-    }
+fn the_order_that_is_run_here_is_one_that_fits_the_text() {
+    assert!(fits(&places(ORDER), End::Open).is_some());
 }
 
 #[test]
 fn figure_2_s_labels_from_left_to_right_are_not_an_order_of_depth() {
     // As the text of the figure comes out of the PDF: S4 S3 S5 S6 S10 S2 S9 S7 ... S1 S8.
     let order = [0, 4, 3, 5, 6, 10, 2, 9, 7, 1, 8];
-    let mut depths = [0.0; 11];
-    for (place, s) in order.into_iter().enumerate() {
-        depths[s] = (place + 1) as f32 / 16.0;
-    }
-    assert!(!figure_2_trace_fits(&depths));
+    assert!(fits(&places(order), End::Open).is_none());
 }
 
 /// What section 4 defines, straight from a sequence of depths: D(sn), z_min_prev, z_min_post; 1 for infinity.

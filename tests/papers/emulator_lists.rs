@@ -83,7 +83,7 @@ fn every_amendment_is_found_in_its_algorithm_once() {
         (&STATIC_ARRAY, &[KEEP_NEAREST]),
         (
             &PP_AO,
-            &[PP_AO_AMENDMENT, PP_AO_WITHOUT_PP_DP, PP_AO_KEEPING_NEAREST],
+            &[PP_AO_AMENDMENT, PP_AO_WITH_PP_DP, PP_AO_KEEPING_NEAREST],
         ),
         (&PP_AO, &by_stencil),
     ] {
@@ -252,7 +252,7 @@ pub(crate) fn l11_past_the_last_segment_nothing_is_resolved_as_printed() {
     let lists = every_complexity(600);
     for max in [8, 16, 64, 256] {
         let printed = run(&PP_AO, &[], &lists, max);
-        let amended = run(&PP_AO, &[PP_AO_AMENDMENT], &lists, max);
+        let amended = run(&PP_AO, &[PP_AO_WITH_PP_DP], &lists, max);
         for ((list, printed), amended) in lists.iter().zip(&printed.pixels).zip(&amended.pixels) {
             let count = list.len() as u32;
             assert_eq!(printed.times, u32::from(count <= max), "{count} {max}");
@@ -273,7 +273,7 @@ pub(crate) fn l11_past_the_last_segment_nothing_is_resolved_as_printed() {
 #[test]
 pub(crate) fn l09_without_pp_dp_the_last_segment_drops_what_overflows_it() {
     let lists = every_complexity(40);
-    let run = run(&PP_AO, &[PP_AO_WITHOUT_PP_DP], &lists, 16);
+    let run = run(&PP_AO, &[PP_AO_AMENDMENT], &lists, 16);
     for (list, pixel) in lists.iter().zip(&run.pixels) {
         let kept = &list[..list.len().min(16)];
         assert_eq!(pixel.composited, sorted(kept));

@@ -2,14 +2,14 @@
 //! 4 does it fit? The passes are written here once more, in whole numbers, and share no code with the listings.
 
 /// The depths of s1 to s10, as places from 1 to 10; index 0 is s1.
-type Depths = [u32; 10];
+pub(crate) type Depths = [u32; 10];
 
 /// Behind every surface.
 const FAR: u32 = 11;
 
 /// The upper end of the ranges of passes 3 and 4, for which the paper prints no bracket.
 #[derive(Clone, Copy, Debug)]
-enum End {
+pub(crate) enum End {
     Open,
     Closed,
 }
@@ -17,7 +17,7 @@ enum End {
 /// What the paper says of figure 2: pass 1 counts s1, s2 and s3; pass 2 stops at s2; pass 3 counts s3, s5, s6 and s7, and
 /// s9 inverts 4 to 251; pass 4 skips these four, renders s9 and s10, and leaves D(s10). The last peeled surface is s4.
 /// The result is the depth that pass 3 leaves, if all of this holds.
-fn fits(depths: &Depths, end: End) -> Option<u32> {
+pub(crate) fn fits(depths: &Depths, end: End) -> Option<u32> {
     let depth = |s: usize| depths[s - 1];
     let peeled = depth(4);
     let all = || (1..=10).map(|s| (s, depth(s)));
@@ -105,7 +105,7 @@ fn every_order(mut visit: impl FnMut(&Depths)) {
 
 /// The closing bracket is a filling: figure 2 proves it.
 #[test]
-fn figure_2_fits_eighteen_orders_with_half_open_ranges_and_none_with_closed_ones() {
+pub(crate) fn figure_2_fits_eighteen_orders_with_half_open_ranges_and_none_with_closed_ones() {
     let (mut orders, mut half_open, mut closed) = (0, Vec::new(), 0);
     every_order(|depths| {
         orders += 1;

@@ -281,12 +281,14 @@ fn every_line_of_every_text_has_an_origin() {
                     // What fills and what amends stands only where it is read so.
                     let as_it_is = origin != Some('a') || reading == Reading::Amended;
                     let silent = origin != Some('f') || reading != Reading::Literal;
-                    assert!(as_it_is && silent, "{} {where_from}", reading.name());
+                    let filled = origin != Some('?') || reading == Reading::Literal;
+                    let fits = as_it_is && silent && filled;
+                    assert!(fits, "{} {where_from}", reading.name());
                 }
             }
         }
     }
-    assert_eq!(letters.into_iter().collect::<String>(), "aefps");
+    assert_eq!(letters.into_iter().collect::<String>(), "?aefps");
     // A line that no mark precedes has none.
     const NONE: Listing = Listing {
         title: "",
@@ -299,6 +301,49 @@ fn every_line_of_every_text_has_an_origin() {
             .iter()
             .all(|line| line.origin.is_none())
     );
+}
+
+/// In the literal reading each filling's place says that the paper is silent there, and why it is filled elsewhere. Otherwise
+/// it is the text without any amendment.
+#[test]
+fn literally_the_place_of_every_filling_says_that_the_paper_is_silent() {
+    let mut silences = 0;
+    for paper in papers() {
+        for (key, text) in paper.texts {
+            let literal = text.lines(Reading::Literal);
+            let (silent, rest): (Vec<_>, Vec<_>) = literal
+                .into_iter()
+                .partition(|line| matches!(line.origin, Some(Origin::Silence { .. })));
+            let bare = match text {
+                Text::Listing(listing, _) => print::lines(listing, &[]),
+                Text::Pseudocode(algorithm, _) => pseudo::lines(algorithm, &[]),
+                Text::Lists(algorithm, _) => list::lines(algorithm, &[]),
+            };
+            assert_eq!(rest, bare, "{}/{key}", paper.key);
+            // The reason of each filling that stands in the text, once for each place; inner ones go with the outer one.
+            let filled: BTreeSet<_> = text
+                .lines(Reading::AsPrinted)
+                .iter()
+                .filter_map(|line| match line.origin {
+                    Some(Origin::Filling { why, .. }) => Some(why),
+                    _ => None,
+                })
+                .collect();
+            for line in &silent {
+                let Some(Origin::Silence { key, why, .. }) = line.origin else {
+                    panic!("it is one");
+                };
+                assert!(line.note && filled.contains(why), "{key}");
+                let says = |words: &str| assert!(line.text.contains(words), "{}", line.text);
+                says("// the paper does not say: ");
+                says(why);
+                says(&format!("(filled by {key} in the reading as-printed)"));
+            }
+            assert_eq!(silent.is_empty(), filled.is_empty(), "{}/{key}", paper.key);
+            silences += silent.len();
+        }
+    }
+    assert!(silences >= 15, "{silences}");
 }
 
 /// What is quoted stands in one of the papers.

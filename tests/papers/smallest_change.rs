@@ -270,12 +270,7 @@ fn one_step_less_of_lindholm_s_components_is_noticed() {
             3,
             &harmless[..],
         ),
-        (
-            &components::PP_AO,
-            &[components::PP_AO_AMENDMENT],
-            16,
-            &["LX05, LX06, LX07 0.0"],
-        ),
+        (&components::PP_AO, &[components::PP_AO_AMENDMENT], 16, &[]),
         (
             &components::STATIC_ARRAY,
             &[components::KEEP_NEAREST],

@@ -14,7 +14,7 @@ use super::super::maps::Maps;
 use super::super::program::ProgramSet;
 use super::super::samplers::{Samplers, compare_to_reference, take_the_nearest};
 use super::super::texture::{Texture, internal};
-use super::state::{ClassicState, TextureUnit, UNITS};
+use super::state::{ClassicState, UNITS};
 use crate::error::{Error, Result};
 use crate::steps::{
     ClassicCall, Compare, DepthTextureMode, Format, Map, TexEnvValue, TextureTarget,
@@ -142,12 +142,10 @@ impl Classic {
         let hilo = self.hilo(around.context)?;
         let state = self.state(around.geometry)?.clone();
         for unit in 0..UNITS {
-            self.bind_unit(unit, &state.units[unit], around)?;
+            self.bind_unit(unit, &state, around)?;
         }
-        let formats: Vec<i32> = state
-            .units
-            .iter()
-            .map(|unit| self.base_format(unit, around.maps))
+        let formats: Vec<i32> = (0..UNITS)
+            .map(|unit| self.base_format(unit, &state, around.maps))
             .collect();
         // SAFETY: the context is current, and the texture is the machine's own.
         unsafe {
@@ -161,11 +159,12 @@ impl Classic {
         Ok(())
     }
 
-    fn bind_unit(&self, number: usize, unit: &TextureUnit, around: Around<'_, '_>) -> Result<()> {
+    fn bind_unit(&self, number: usize, state: &ClassicState, around: Around<'_, '_>) -> Result<()> {
         let gl = around.context.glow();
-        let Some((target, map)) = unit.enabled() else {
+        let Some((target, map)) = state.looked_up(number) else {
             return Ok(());
         };
+        let unit = &state.units[number];
         let (first, kind, raw) = match target {
             TextureTarget::Texture2D => {
                 let first = if unit.compare { SHADOW_2D } else { PLAIN_2D };
@@ -208,15 +207,16 @@ impl Classic {
     }
 
     /// What `classic/textures.glsl` calls it.
-    fn base_format(&self, unit: &TextureUnit, maps: &Maps) -> i32 {
-        let format = match unit.enabled() {
+    fn base_format(&self, unit: usize, state: &ClassicState, maps: &Maps) -> i32 {
+        let format = match state.looked_up(unit) {
             Some((TextureTarget::Texture2D, map)) => maps.get(map).ok().map(|t| t.format),
             Some((TextureTarget::Rectangle, map)) => {
                 self.rectangles.get(&map).map(|&(_, format)| format)
             }
             None => None,
         };
-        match (format.is_some_and(Format::has_depth), unit.depth_mode) {
+        let mode = state.units[unit].depth_mode;
+        match (format.is_some_and(Format::has_depth), mode) {
             (false, _) => 3,
             (true, DepthTextureMode::Luminance) => 0,
             (true, DepthTextureMode::Intensity) => 1,
@@ -270,7 +270,7 @@ fn set_uniforms(gl: &glow::Context, program: glow::Program, state: &ClassicState
     } else {
         Compare::Always
     };
-    let targets = state.units.each_ref().map(target);
+    let targets: [i32; UNITS] = std::array::from_fn(|unit| target(state, unit));
     let modes = state.units.each_ref().map(|unit| match unit.environment {
         TexEnvValue::Replace => 1,
         TexEnvValue::Modulate => 2,
@@ -305,7 +305,9 @@ fn set_uniforms(gl: &glow::Context, program: glow::Program, state: &ClassicState
         );
         gl.uniform_1_f32(at("alpha_ref").as_ref(), reference);
         gl.uniform_1_i32(at("unsigned_hilo").as_ref(), HILO as i32);
-        if let Some([dot_product, depth_replace]) = state.depth_replace() {
+        let replaced = state.depth_replace();
+        gl.uniform_1_i32(at("replaces_depth").as_ref(), i32::from(replaced.is_some()));
+        if let Some([dot_product, depth_replace]) = replaced {
             gl.uniform_1_i32(at("dot_product").as_ref(), dot_product as i32);
             let location = at("dot_product_depth_replace");
             gl.uniform_1_i32(location.as_ref(), depth_replace as i32);
@@ -313,8 +315,8 @@ fn set_uniforms(gl: &glow::Context, program: glow::Program, state: &ClassicState
     }
 }
 
-fn target(unit: &TextureUnit) -> i32 {
-    match (unit.enabled(), unit.compare) {
+fn target(state: &ClassicState, unit: usize) -> i32 {
+    match (state.looked_up(unit), state.units[unit].compare) {
         (None, _) => 0,
         (Some((TextureTarget::Texture2D, _)), false) => 1,
         (Some((TextureTarget::Texture2D, _)), true) => 2,

@@ -170,6 +170,7 @@ impl<'m, 'c> FixedFunction<'m, 'c> {
                 ClassicCall::LoadIdentity => (f.load_identity)(),
                 ClassicCall::Translate { x, y, z } => (f.translate)(x, y, z),
                 ClassicCall::Scale { x, y, z } => (f.scale)(x, y, z),
+                ClassicCall::ScaleBy { x, y } => (f.scale)(x.known()?, y.known()?, 1.0),
                 ClassicCall::SetM { rows } => {
                     let matrix = glam::Mat4::from_cols_array_2d(&rows).transpose();
                     self.m = matrix.to_cols_array();

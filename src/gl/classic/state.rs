@@ -22,6 +22,8 @@ pub struct ClassicState {
     active: usize,
     /// The texture units.
     pub units: [TextureUnit; UNITS],
+    /// `GL_TEXTURE_SHADER_NV`: the units' shader operations say what is looked up, instead of what is enabled.
+    pub texture_shader: bool,
     /// Whether fragments are tested by their alpha.
     pub alpha_test: bool,
     /// The comparison and the reference.
@@ -75,6 +77,7 @@ impl ClassicState {
             m: DMat4::IDENTITY,
             active: 0,
             units: [unit; UNITS],
+            texture_shader: false,
             alpha_test: false,
             alpha_func: (Compare::Always, 0.0),
         }
@@ -90,8 +93,28 @@ impl ClassicState {
         *self.texture[unit].last().expect("a stack is never empty")
     }
 
-    /// The stages of Listing 2's two dot products, if they are set up.
+    /// The texture that a unit looks up.
+    pub(super) fn looked_up(&self, unit: usize) -> Option<(TextureTarget, Map)> {
+        let unit = &self.units[unit];
+        let two_d = |map| (TextureTarget::Texture2D, map);
+        let rectangle = |map| (TextureTarget::Rectangle, map);
+        match (self.texture_shader, unit.operation) {
+            (true, TexEnvValue::Texture2D) => unit.two_d.0.map(two_d),
+            (true, TexEnvValue::TextureRectangle) => unit.rectangle.0.map(rectangle),
+            (true, _) => None,
+            (false, _) => match (unit.rectangle, unit.two_d) {
+                ((Some(map), true), _) => Some(rectangle(map)),
+                (_, (Some(map), true)) => Some(two_d(map)),
+                _ => None,
+            },
+        }
+    }
+
+    /// The stages of Listing 2's two dot products, if they are set up and texture shaders are enabled.
     pub fn depth_replace(&self) -> Option<[usize; 2]> {
+        if !self.texture_shader {
+            return None;
+        }
         let stage = |operation| {
             let units = &mut self.units.iter();
             units.position(|unit| unit.operation == operation)
@@ -162,6 +185,10 @@ impl ClassicState {
                 let by = glam::Vec4::new(x, y, z, 1.0).as_dvec4();
                 self.multiply(DMat4::from_diagonal(by));
             }
+            ClassicCall::ScaleBy { x, y } => {
+                let by = glam::Vec4::new(x.known()?, y.known()?, 1.0, 1.0).as_dvec4();
+                self.multiply(DMat4::from_diagonal(by));
+            }
             ClassicCall::SetM { rows } => {
                 let rows = rows.map(|row| row.map(f64::from));
                 self.m = DMat4::from_cols_array_2d(&rows).transpose();
@@ -191,8 +218,7 @@ impl ClassicState {
             ClassicCapability::AlphaTest => self.alpha_test = on,
             ClassicCapability::Texture2D => self.unit().two_d.1 = on,
             ClassicCapability::TextureRectangle => self.unit().rectangle.1 = on,
-            // The drawing program decides.
-            ClassicCapability::TextureShader => {}
+            ClassicCapability::TextureShader => self.texture_shader = on,
         }
     }
 
@@ -213,16 +239,5 @@ impl ClassicState {
 
     fn multiply(&mut self, by: DMat4) {
         *self.top() *= by;
-    }
-}
-
-impl TextureUnit {
-    /// The texture that is looked up.
-    pub(super) fn enabled(&self) -> Option<(TextureTarget, Map)> {
-        match (self.rectangle, self.two_d) {
-            ((Some(map), true), _) => Some((TextureTarget::Rectangle, map)),
-            (_, (Some(map), true)) => Some((TextureTarget::Texture2D, map)),
-            _ => None,
-        }
     }
 }

@@ -300,9 +300,10 @@ impl ABuffer {
             fill.push(paper::ORDERED);
         }
         fill.extend_from_slice(proxies);
-        let listing = match options.is_printed() && options.pp_ao {
-            true => &paper::CLEAR_AND_COUNTING_FILL,
-            false => &paper::CLEAR_AND_FILL,
+        let listing = match (options.pp_ao, options.reading) {
+            (true, Reading::Literal) => &paper::FILL_FOR_PP_AO,
+            (true, Reading::AsPrinted) => &paper::CLEAR_AND_COUNTING_FILL,
+            (true, Reading::Amended) | (false, _) => &paper::CLEAR_AND_FILL,
         };
         run(listing, &fill, Variables::new(), machine)?;
         self.resolve(machine, band.layers)
@@ -332,15 +333,12 @@ impl ABuffer {
             )?;
             return Ok(());
         }
-        let amendments: &[_] = if options.is_printed() {
-            &[]
-        } else {
-            &[paper::BY_COUNTER, paper::NO_STENCIL]
-        };
+        let amendments =
+            (options.reading).of(&[paper::BY_COUNTER, paper::NO_STENCIL, paper::MARKED]);
         let segments = self.segments_for(layers);
         run(
             &paper::PP_AO,
-            amendments,
+            &amendments,
             variables.with("num_segments", segments as f64),
             machine,
         )?;

@@ -89,7 +89,7 @@ claims! {
         evidence: "On the emulated pixel and on OpenGL, for an order of depth that fits the text. 18 orders do.",
         tests: [
             papers::emulator_figure_2::c07_pass_1_counts_s1_s2_and_s3,
-            papers::emulator_figure_2::exactly_18_orders_of_s1_to_s10_fit_figure_2_s_text,
+            papers::figure_2_orders::figure_2_fits_eighteen_orders_with_half_open_ranges_and_none_with_closed_ones,
             gl::figure_2::c07_to_c10_figure_2_on_opengl,
         ],
     }

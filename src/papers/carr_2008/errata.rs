@@ -24,7 +24,7 @@ errata! {
         change: "[D(s_n), U) everywhere, with U the least of z_min_prev, z_min_post and opaque_depth, and pass 6 for \
                  U itself.",
         tests: [
-            papers::emulator_figure_2::exactly_18_orders_of_s1_to_s10_fit_figure_2_s_text,
+            papers::figure_2_orders::figure_2_fits_eighteen_orders_with_half_open_ranges_and_none_with_closed_ones,
             papers::emulator_carr_errata::cx04_a_closed_range_in_passes_3_and_4_costs_iterations,
         ],
     }

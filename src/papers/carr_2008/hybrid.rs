@@ -293,7 +293,7 @@ pub const Z_PEEL: Map = Map::named("zPeel");
 pub const Z_PEEL_NEXT: Map = Map::named("zPeelNext");
 
 /// Line 17's range, which is open. It is the same clip as line 11's, for another purpose.
-const BETWEEN_PEELS_AS_PRINTED: Shader = Shader("clip/between_peels_as_printed");
+pub(super) const BETWEEN_PEELS_AS_PRINTED: Shader = Shader("clip/between_peels_as_printed");
 /// Surfaces that the peel has found.
 pub const CHANGED: Query = Query("gChanged");
 /// Sorted surfaces that were composited.

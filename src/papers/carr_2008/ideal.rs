@@ -316,6 +316,16 @@ pub const RESOURCES: Resources = Resources {
     ..Resources::NONE
 };
 
+/// The shaders of [`IDEAL`], as printed and with [`AMENDMENTS`].
+pub(super) const SHADERS: &[Shader] = &[
+    BEGIN_AS_PRINTED,
+    BEGIN,
+    PASS_1_AS_PRINTED,
+    PASS_1,
+    PASS_2_AS_PRINTED,
+    CHANGED_PIXELS,
+];
+
 /// The resources that [`BY_IMAGES`] needs in addition.
 pub const NO_COLOR_RESOURCES: Resources = Resources {
     maps: &[(UNUSED_DEPTH, Holds::Exactly(Format::Depth32FStencil8))],

@@ -26,7 +26,19 @@ pub use shared::*;
 
 use super::paper::Paper;
 use super::stage;
-use crate::steps::Text;
+use crate::steps::{Resources, Shader, Text};
+
+/// The texts that begin with the opaque objects and end with the image.
+const WHOLE: &[&str] = &[
+    "coherent-a",
+    "coherent-b",
+    "layer-peeling",
+    "hybrid",
+    "ideal",
+];
+
+const PASS_6_SHADERS: &[Shader] = &[AT_BOUND_AS_PRINTED, AT_BOUND];
+const COHERENT_SHADERS: &[Shader] = &[CLOSED_CLOSED, CLOSED_OPEN, coherent::NEXT_BOUND];
 
 /// Its texts.
 pub const PAPER: Paper = Paper {
@@ -74,12 +86,30 @@ pub const PAPER: Paper = Paper {
         ),
     ],
     resources: &[
-        &stage::RESOURCES,
-        hybrid::RESOURCES[0],
-        hybrid::RESOURCES[1],
-        &ideal::RESOURCES,
-        coherent::RESOURCES_B[0],
-        coherent::RESOURCES_B[1],
+        &Resources::NONE.of(
+            &[
+                "pass-1",
+                "pass-2",
+                "pass-3",
+                "pass-4",
+                "pass-5",
+                "section-6",
+            ],
+            &[],
+        ),
+        &Resources::NONE.of(&["pass-6"], PASS_6_SHADERS),
+        &stage::RESOURCES.of(WHOLE, &[stage::SURFACE, stage::LAYER]),
+        &coherent::RESOURCES_A[0].of(&["coherent-a", "coherent-b"], COHERENT_SHADERS),
+        &coherent::RESOURCES_A[0].of(&["coherent-a", "coherent-b"], PASS_6_SHADERS),
+        &coherent::RESOURCES_A[1].of(&["coherent-a"], &[OPEN_OPEN, OPEN_CLOSED]),
+        &coherent::RESOURCES_B[1].of(
+            &["coherent-b"],
+            &[coherent::PREVIOUS_DEPTH, coherent::PREVIOUS_DEPTH_FROM_NEAR],
+        ),
+        &hybrid::RESOURCES[0].of(&["layer-peeling", "hybrid"], PASS_6_SHADERS),
+        &hybrid::RESOURCES[1].of(&["layer-peeling", "hybrid"], &[OPEN_OPEN, CLOSED_OPEN]),
+        &Resources::NONE.of(&["hybrid"], &[hybrid::BETWEEN_PEELS_AS_PRINTED]),
+        &ideal::RESOURCES.of(&["ideal"], ideal::SHADERS),
     ],
     claims: claims::CLAIMS,
     errata: errata::ERRATA,

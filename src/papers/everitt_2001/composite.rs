@@ -30,7 +30,7 @@ pub const COMPOSITE: Listing = Listing {
 /// The printed blend function also blends alpha by alpha: over an opaque background the image's own alpha becomes `a² +
 /// 1 - a`, less than 1 wherever there is a layer. On a screen this is invisible, but not in a file.
 pub const ALPHA: Amendment = Amendment {
-    key: "E12",
+    key: "EX07",
     kind: Kind::Correction,
     place: "Putting It All Together, the blending function",
     printed: steps! { glBlendFunc(SRC_ALPHA, ONE_MINUS_SRC_ALPHA); },
@@ -39,8 +39,9 @@ pub const ALPHA: Amendment = Amendment {
     test: "e12_the_printed_blend_function_leaves_an_opaque_image_translucent",
 };
 
-/// What [`COMPOSITE`] takes for granted besides the layers.
+/// What [`COMPOSITE`] takes for granted.
 pub const COMPOSITING: Resources = Resources {
+    made: &[LAYER_I],
     variables: &["num_layers"],
     ..Resources::NONE
 };

@@ -3,23 +3,34 @@
 errata! {
     EX01 ("Listing 2") Gap {
         printed: "The listing sets the operations of four texture shader stages.",
-        executed: "It never enables GL_TEXTURE_SHADER_NV, without which the operations have no effect.",
+        executed: "It never enables GL_TEXTURE_SHADER_NV, without which the operations have no effect: the depth that is \
+                   stored stays the rasteriser's, and the peels go wrong as if there were no Listing 2.",
         change: "Enable it before drawing.",
-        tests: [gl::errata_everitt::ex01_listing_2_enables_nothing],
+        tests: [
+            gl::errata_everitt::ex01_listing_2_enables_nothing,
+            gl::errata_everitt::ex01_without_the_enabling_the_rasteriser_s_depth_is_stored,
+        ],
     }
     EX02 ("Listing 2, unit 3") Gap {
         printed: "Unit 3, which holds the shadow map, has the environment GL_NONE.",
         executed: "By the environment the comparison reaches neither colour nor alpha, so the alpha test sees the \
-                   surface's own alpha. Register combiners could carry it on; the paper does not mention them.",
+                   surface's own alpha, and every layer is the first one. Register combiners could carry it on; the \
+                   paper does not mention them.",
         change: "Let unit 3 replace or modulate alpha.",
-        tests: [gl::errata_everitt::ex02_unit_3_s_environment_drops_the_comparison],
+        tests: [
+            gl::errata_everitt::ex02_unit_3_s_environment_drops_the_comparison,
+            gl::errata_everitt::ex02_by_unit_3_s_printed_environment_nothing_is_peeled,
+        ],
     }
     EX03 ("Listing 2, unit 3") Gap {
         printed: "Unit 3 looks up a rectangle texture.",
         executed: "Its coordinates count texels. The listing generates none for this unit and leaves its matrix as \
                    it was, and clip coordinates are none either.",
-        change: "Generate eye coordinates on unit 3 and scale them to the window's size.",
-        tests: [gl::errata_everitt::ex03_unit_3_has_no_texel_coordinates],
+        change: "Scale the coordinates on unit 3 to the window's size, or look up a texture of two dimensions.",
+        tests: [
+            gl::errata_everitt::ex03_unit_3_has_no_texel_coordinates,
+            gl::errata_everitt::ex03_with_coordinates_from_0_to_1_the_printed_rectangle_does_not_peel,
+        ],
     }
     EX04 ("Shadow Mapping; Listing 1") Gap {
         printed: "Depth unit 0 tests GREATER, and the SGIX_shadow extension compares.",
@@ -27,7 +38,10 @@ errata! {
                    at 1. GEQUAL in place of GREATER peels nothing: every layer is the first one.",
         change: "Compare by LEQUAL and keep what fails, or use the extensions of 2002 (ARB_shadow, \
                  EXT_shadow_funcs), as is done here.",
-        tests: [gl::errata_everitt::ex04_gequal_peels_nothing_and_not_lequal_peels],
+        tests: [
+            gl::errata_everitt::ex04_gequal_peels_nothing_and_not_lequal_peels,
+            gl::errata_everitt::ex04_a_luminance_leaves_alpha_as_it_is_and_nothing_is_peeled,
+        ],
     }
     EX05 ("An Invariance Issue") Name {
         printed: "A texture of GL_UNSIGNED_HILO_NV.",

@@ -2,7 +2,7 @@
 //! will compute the depth that it compares.
 
 use crate::steps;
-use crate::steps::{Dialect, Listing, gl::*};
+use crate::steps::{Amendment, Dialect, Kind, Listing, gl::*};
 
 /// Listing 2, line by line.
 pub const LISTING_2: Listing = Listing {
@@ -64,4 +64,20 @@ pub const LISTING_2: Listing = Listing {
         line "";
         glActiveTextureARB(GL_TEXTURE0_ARB);
     },
+};
+
+/// Without it the shader operations have no effect.
+pub const ENABLED: Amendment = Amendment {
+    key: "EX01",
+    kind: Kind::Filling(
+        "An Invariance Issue: \"The depth computed in this texture shader replaces the fragment depth that was computed in the rasterizer\"",
+    ),
+    place: "Listing 2",
+    printed: steps! { bind_simple_1x1_uhilo(); },
+    amended: steps! {
+        enable_texture_shader();
+        bind_simple_1x1_uhilo();
+    },
+    why: "texture shaders have to be enabled, and the listing enables nothing",
+    test: "ex01_without_the_enabling_the_rasteriser_s_depth_is_stored",
 };

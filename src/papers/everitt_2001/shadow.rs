@@ -1,15 +1,14 @@
 //! "Shadow Mapping as Depth Test", as the OpenGL of 2001 does it. The paper describes it in prose.
 //!
 //! The shadow map has the camera's own orientation and resolution, so its texture matrix is the camera's projection with
-//! scale and bias from clip to texture space. The comparison of r/q goes into alpha, and the alpha test discards.
-//!
-//! SGIX_shadow compares by LEQUAL and GEQUAL only, and its result is a luminance. GREATER came with EXT_shadow_funcs, which
-//! VTK asks for, and the way into alpha with ARB_depth_texture, both in 2002. So Listing 1 did not run like this in 2001:
-//! with GEQUAL a fragment would pass the comparison with its own depth. Modulation
+//! scale and bias from clip to texture space. The comparison of r/q goes into alpha, and the alpha test discards. Modulation
 //! leaves a fragment that passes its own alpha. A fragment whose alpha is 0 never passes, but it is invisible anyway.
+//!
+//! How the comparison comes into alpha, and which texture unit 3 looks up, the prose does not say, and Listing 2 says
+//! otherwise. The fillings do.
 
 use crate::steps;
-use crate::steps::{Dialect, Listing, gl::*};
+use crate::steps::{Amendment, Dialect, Kind, Listing, Number, gl::*};
 
 /// Before the peels: texture unit 3 compares r/q with the shadow map that is bound to it.
 pub const SHADOW_AS_DEPTH_TEST: Listing = Listing {
@@ -19,12 +18,8 @@ pub const SHADOW_AS_DEPTH_TEST: Listing = Listing {
     steps: steps! {
         edition "the unit of Listing 2";
         glActiveTextureARB(GL_TEXTURE3_ARB);
-        prose "we write the results of the shadow mapping comparison to fragment alpha";
+        prose "the shadow mapping comparison sets a fragment color attribute";
         compare_r_to_texture(true);
-        edition "SGIX_shadow of 2001 has a luminance as its result; the mode came with ARB_depth_texture in 2002";
-        depth_texture_mode(GL_ALPHA);
-        prose "we write the results of the shadow mapping comparison to fragment alpha";
-        glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
         prose "we make the orientation and resolution of the shadow map identical to that of the camera";
         glMatrixMode(GL_MODELVIEW);
         glPushMatrix();
@@ -42,3 +37,75 @@ pub const SHADOW_AS_DEPTH_TEST: Listing = Listing {
         glAlphaFunc(GREATER, 0.0);
     },
 };
+
+/// What fills the silence of [`SHADOW_AS_DEPTH_TEST`], with shadow maps in textures of two dimensions.
+pub const SHADOW_FILLINGS: [Amendment; 3] = [INTO_ALPHA, MODULATED, LOOKED_UP_AS_2D];
+
+/// The same with shadow maps in rectangle textures.
+pub const RECTANGLE_FILLINGS: [Amendment; 3] = [INTO_ALPHA, MODULATED, TEXELS];
+
+/// SGIX_shadow, which the paper names, makes a luminance of the comparison.
+pub const INTO_ALPHA: Amendment = Amendment {
+    key: "EX04",
+    kind: Kind::Filling(RESULTS_IN_ALPHA),
+    place: "Shadow Mapping as Depth Test",
+    printed: steps! { compare_r_to_texture(true); },
+    amended: steps! {
+        compare_r_to_texture(true);
+        depth_texture_mode(GL_ALPHA);
+    },
+    why: "SGIX_shadow's result is a luminance; ARB_depth_texture of 2002 has this way into alpha",
+    test: "ex04_a_luminance_leaves_alpha_as_it_is_and_nothing_is_peeled",
+};
+
+/// Listing 2 gives unit 3 the environment GL_NONE, which would be right if register combiners carried the result on. The paper
+/// does not mention them.
+pub const MODULATED: Amendment = Amendment {
+    key: "EX02",
+    kind: Kind::Filling(RESULTS_IN_ALPHA),
+    place: "Listing 2, unit 3",
+    printed: steps! {
+        glMatrixMode(GL_MODELVIEW);
+        glPushMatrix();
+    },
+    amended: steps! {
+        glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
+        glMatrixMode(GL_MODELVIEW);
+        glPushMatrix();
+    },
+    why: "Listing 2 leaves unit 3 an environment by which nothing of the comparison reaches alpha",
+    test: "ex02_by_unit_3_s_printed_environment_nothing_is_peeled",
+};
+
+/// Listing 2 lets unit 3 look up a rectangle texture, and generates no coordinates for it. From 0 to 1 they are those of a
+/// texture of two dimensions, which has the same texels.
+pub const LOOKED_UP_AS_2D: Amendment = Amendment {
+    key: "EX03",
+    kind: Kind::Filling(PROJECTED),
+    place: "Listing 2, unit 3",
+    printed: steps! { glAlphaFunc(GREATER, 0.0); },
+    amended: steps! {
+        glTexEnvi(GL_TEXTURE_SHADER_NV, GL_SHADER_OPERATION_NV, LOOK_UP_TEXTURE_2D);
+        glAlphaFunc(GREATER, 0.0);
+    },
+    why: "Listing 2 looks up a rectangle texture, and these coordinates go from 0 to 1",
+    test: "ex03_with_coordinates_from_0_to_1_the_printed_rectangle_does_not_peel",
+};
+
+/// In place of [`LOOKED_UP_AS_2D`]: the coordinates count texels. Before it runs, `width` and `height` are set.
+pub const TEXELS: Amendment = Amendment {
+    key: "EX03",
+    kind: Kind::Filling(PROJECTED),
+    place: "Listing 2, unit 3",
+    printed: steps! { glTranslatef(0.5, 0.5, 0.5); },
+    amended: steps! {
+        scale_by(Number::Variable("width"), Number::Variable("height"));
+        glTranslatef(0.5, 0.5, 0.5);
+    },
+    why: "Listing 2 looks up a rectangle texture, whose coordinates count texels",
+    test: "ex03_with_coordinates_from_0_to_1_the_printed_rectangle_does_not_peel",
+};
+
+const RESULTS_IN_ALPHA: &str = "Shadow Mapping as Depth Test: \"we write the results of the shadow mapping comparison to fragment alpha\"";
+
+const PROJECTED: &str = "Shadow Mapping as Depth Test: \"we make the orientation and resolution of the shadow map identical to that of the camera\"";

@@ -202,10 +202,9 @@ pub const N_MINUS_1: [Amendment<ListLine>; 5] = [
     STOP,
 ];
 
-/// The corrections of ppAO, errata LX05 to LX07. A pixel's count says to which single segment it belongs, so no mark is
-/// needed. The last segment takes every pixel that is left, and peels the fragments that its array cannot hold.
+/// Erratum LX05. What overflows the last segment's array is dropped, as by a static array.
 pub const PP_AO_AMENDMENT: Amendment<ListLine> = Amendment {
-    key: "LX05, LX06, LX07",
+    key: "LX05",
     kind: Kind::Correction,
     place: "section 5.1, if depth complexity(p) <= i",
     printed: lists! {
@@ -215,42 +214,44 @@ pub const PP_AO_AMENDMENT: Amendment<ListLine> = Amendment {
         }
     },
     amended: lists! {
-        if (p is of segment i) then {
+        if (depth complexity <= i or i = max) then {
+            resolve segment with Local Array;
+            mark pixel as resolved;
+        }
+    },
+    why: "what no segment holds is the last one's",
+    test: "l11_past_the_last_segment_nothing_is_resolved_as_printed",
+};
+
+/// The same with ppDP, which peels what overflows the last segment's array.
+pub const PP_AO_WITH_PP_DP: Amendment<ListLine> = Amendment {
+    amended: lists! {
+        if (depth complexity <= i or i = max) then {
             if (depth complexity > i) then {
                 resolve segment by PP_DP amended by &PP_DP_AMENDMENTS;
             } else {
                 resolve segment with Local Array;
             }
+            mark pixel as resolved;
         }
     },
-    why: "every pixel in one segment, none in two; what overflows the last is peeled",
-    test: "l11_past_the_last_segment_nothing_is_resolved_as_printed",
-};
-
-/// The same without ppDP: fragments that overflow the last segment's array are dropped.
-pub const PP_AO_WITHOUT_PP_DP: Amendment<ListLine> = Amendment {
-    amended: lists! {
-        if (p is of segment i) then {
-            resolve segment with Local Array;
-        }
-    },
-    why: "every pixel in one segment, none in two; what overflows the last is dropped",
-    test: "l09_without_pp_dp_the_last_segment_drops_what_overflows_it",
+    why: "what no segment holds is the last one's, and is peeled there",
     ..PP_AO_AMENDMENT
 };
 
-/// Again without ppDP, with the last segment's array as [`KEEP_NEAREST`] has it.
+/// The same with the last segment's array as [`KEEP_NEAREST`] has it.
 pub const PP_AO_KEEPING_NEAREST: Amendment<ListLine> = Amendment {
     amended: lists! {
-        if (p is of segment i) then {
+        if (depth complexity <= i or i = max) then {
             if (depth complexity > i) then {
                 resolve segment by NEAREST;
             } else {
                 resolve segment with Local Array;
             }
+            mark pixel as resolved;
         }
     },
-    why: "every pixel in one segment, none in two; of what overflows the last the nearest are kept",
+    why: "what no segment holds is the last one's, which keeps the nearest",
     test: "l09_keeping_the_nearest_gives_the_oracle_s_image_of_the_nearest_n",
     ..PP_AO_AMENDMENT
 };
@@ -263,7 +264,7 @@ pub const fn by_stencil(
 ) -> [Amendment<ListLine>; 2] {
     [
         Amendment {
-            key: "6.2",
+            key: "LX16",
             kind: Kind::Prose("the ppAO component is implemented using an 8bit stencil buffer"),
             place: "section 5.1, count depth complexity",
             printed: lists! { count depth complexity; },
@@ -272,7 +273,7 @@ pub const fn by_stencil(
             test: "l11_eight_bits_send_what_is_past_255_to_the_wrong_segment",
         },
         Amendment {
-            key: "6.2",
+            key: "LX07",
             kind: Kind::Prose("the ppAO component is implemented using an 8bit stencil buffer"),
             place: "section 5.1, if depth complexity(p) <= i",
             amended: masked,

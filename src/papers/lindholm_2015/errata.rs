@@ -126,4 +126,11 @@ errata! {
             papers::emulator_fused::l16_without_the_opaque_surface_a_ray_goes_on_behind_it,
         ],
     }
+    LX16 ("sections 5.1 and 6.2") Contradiction {
+        printed: "The counter of 5.1 is an integer buffer. The buffer of 6.2, which masks, is a stencil buffer of 8 bits.",
+        executed: "How the counts come from one into the other is not said. A stencil buffer that holds none masks \
+                   nothing, so that every segment resolves every pixel.",
+        change: "Count into the stencil buffer along with the fill, by INCR, or mask by the integer counter.",
+        tests: [gl::claims_lindholm_resolve::lx16_literally_the_stencil_buffer_holds_no_count_and_masks_nothing],
+    }
 }

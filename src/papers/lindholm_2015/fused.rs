@@ -36,7 +36,7 @@ pub const FUSED_AMENDMENTS: [Amendment<ListLine>; 2] = [BEGIN_INSIDE, END_AT_OPA
 
 /// The eye may be inside of a volume.
 pub const BEGIN_INSIDE: Amendment<ListLine> = Amendment {
-    key: "L16",
+    key: "LX15",
     kind: Kind::Filling(
         "Section 6.1: occupancy \"is updated every time a fragment of a volume proxy geometry is encountered\", and none is where the eye is inside",
     ),
@@ -49,7 +49,7 @@ pub const BEGIN_INSIDE: Amendment<ListLine> = Amendment {
 
 /// Proxies behind the opaque surface must be in the list, so that it says where the ray begins.
 pub const END_AT_OPAQUE: Amendment<ListLine> = Amendment {
-    key: "L16",
+    key: "LX15",
     kind: Kind::Filling(
         "Section 6.1: entries are \"intersection points along the view rays\", and rays end where nothing behind is seen",
     ),

@@ -119,8 +119,8 @@ pub enum ListTest {
     FitsSegment,
     /// The same by the stencil buffer, whose reference is at most 255.
     StencilFitsSegment,
-    /// The count is larger than the segment before, and not larger than this segment unless it is the last.
-    InSegment,
+    /// The same, and whatever comes to the last segment.
+    FitsSegmentOrLast,
     /// `depth complexity(p) > i`
     Overflows,
     /// `depth(f) ≤ min depth`, or with the id.
@@ -363,9 +363,7 @@ impl fmt::Display for ListTest {
         f.write_str(match self {
             Self::FitsSegment => "depth complexity(p)<= i",
             Self::StencilFitsSegment => "stencil(p) <= min(i, 255)",
-            Self::InSegment => {
-                "previous i < depth complexity(p) and (depth complexity(p) <= i or i = max)"
-            }
+            Self::FitsSegmentOrLast => "depth complexity(p)<= i or i = max",
             Self::Overflows => "depth complexity(p) > i",
             Self::IsProxy => "f is of a volume proxy geometry",
             Self::NotBehindMin(Key::Depth) => "depth(f) ≤ min depth",

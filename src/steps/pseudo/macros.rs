@@ -398,8 +398,8 @@ macro_rules! list_test {
     (depth complexity > i) => {
         ListTest::Overflows
     };
-    (p is of segment i) => {
-        ListTest::InSegment
+    (depth complexity <= i or i = max) => {
+        ListTest::FitsSegmentOrLast
     };
     (depth <= min depth) => {
         ListTest::NotBehindMin(Key::Depth)
