@@ -37,6 +37,8 @@ pub(super) const UPPER_LEVEL: u32 = 1;
 pub(super) const POSITION: u32 = 0;
 pub(super) const NORMAL: u32 = 1;
 pub(super) const COLOR: u32 = 2;
+/// How the vertex's mesh is shaded, where meshes differ in that.
+pub(super) const INSIDE: u32 = 3;
 
 /// In the place of an empty sample: less than every value that a sample may have. Shaders need not know what NaN is.
 pub(super) const EMPTY: f32 = -3e38;
@@ -47,6 +49,8 @@ pub(super) const EMPTY: f32 = -3e38;
 pub struct BandParameters {
     /// The band's first row, from the bottom.
     pub first_row: u32,
+    /// Its number of rows.
+    pub rows: u32,
     /// The image's width.
     pub width: u32,
     /// How many records each pixel of fixed buffers has room for.
@@ -133,16 +137,20 @@ mod tests {
         let members: Vec<_> = members.filter_map(|line| line.split(';').next()).collect();
         assert_eq!(
             members,
-            ["first_row", "width", "layers", "capacity", "before"]
+            ["first_row", "rows", "width", "layers", "capacity", "before"]
         );
         let parameters = BandParameters {
             first_row: 0,
-            width: 1,
-            layers: 2,
-            capacity: 3,
-            before: 4,
+            rows: 1,
+            width: 2,
+            layers: 3,
+            capacity: 4,
+            before: 5,
         };
-        assert_eq!(bytemuck::cast::<_, [u32; 5]>(parameters), [0, 1, 2, 3, 4]);
+        assert_eq!(
+            bytemuck::cast::<_, [u32; 6]>(parameters),
+            [0, 1, 2, 3, 4, 5]
+        );
     }
 
     #[test]

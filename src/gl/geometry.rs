@@ -1,25 +1,27 @@
 //! A scene's meshes in the driver's memory.
 
-use bytemuck::{Pod, Zeroable};
 use glam::{DMat4, DVec3, Mat4, Vec3};
 use glow::HasContext;
 
-use super::bindings::{COLOR, NORMAL, POSITION};
 use super::context::Context;
+use super::corner::{Corner, corners, expect_indices};
 use super::making::Making;
-use super::program::Surfaces;
+use super::merged::Merged;
+use super::program::{Program, Surface, Surfaces};
 use super::proxy::proxy;
-use super::runs::{Ordered, PIECE, Run};
+use super::runs::{Ordered, Run};
 use super::uploading::{Bound, fill};
 use super::window::window_of_transparent;
 use crate::error::{Error, Result};
-use crate::scene::{Mesh, Scene, Shading, Vertex};
+use crate::scene::{Mesh, Scene};
 use crate::steps::Objects;
 
 /// A scene, uploaded. Its buffers live as long as it does.
 pub struct Geometry<'c> {
     context: &'c Context,
     meshes: Vec<Uploaded>,
+    /// The transparent meshes, if they are drawn as one. Then `meshes` has only the opaque ones.
+    merged: Option<Merged>,
     /// The runs of each order.
     orders: Vec<Vec<Run>>,
     /// The order that is drawn.
@@ -48,26 +50,7 @@ pub(super) struct Buffers {
 impl Buffers {
     /// Bytes from one vertex to the next, and from a vertex's beginning, which is its position, to its colour.
     pub(super) const STRIDE: usize = size_of::<Corner>();
-    pub(super) const COLOR: usize = std::mem::offset_of!(Corner, color);
-}
-
-/// A vertex in the driver's form.
-#[derive(Clone, Copy, Pod, Zeroable)]
-#[repr(C)]
-struct Corner {
-    position: [f32; 3],
-    normal: [f32; 3],
-    color: [f32; 4],
-}
-
-impl Corner {
-    fn of(vertex: &Vertex, origin: DVec3) -> Self {
-        Self {
-            position: (vertex.position - origin).as_vec3().to_array(),
-            normal: vertex.normal.to_array(),
-            color: vertex.color.to_array(),
-        }
-    }
+    pub(super) const COLOR: usize = Corner::COLOR_OFFSET;
 }
 
 /// A mesh with the data for its draw calls.
@@ -77,8 +60,7 @@ struct Uploaded {
     array: glow::VertexArray,
     opaque: bool,
     sorted: bool,
-    shading: Shading,
-    inside: [f32; 3],
+    surface: Surface,
     /// The number of the volume whose box it is.
     volume: Option<u32>,
 }
@@ -129,6 +111,46 @@ impl<'c> Geometry<'c> {
         Ok(geometry)
     }
 
+    /// Uploads the scene's meshes, the transparent ones as one, whose triangles are drawn as
+    /// [`submit`](Self::submit) says. Until then, none of them is.
+    ///
+    /// # Errors
+    /// As [`Geometry::upload`].
+    pub(crate) fn upload_merged(
+        context: &'c Context,
+        scene: &Scene,
+        size: [u32; 2],
+    ) -> Result<Self> {
+        let _bound = Bound::keep(context)?;
+        let mut geometry = Self::empty(context, scene, size);
+        let (opaque, transparent): (Vec<&Mesh>, Vec<&Mesh>) =
+            scene.meshes.iter().partition(|mesh| mesh.opaque);
+        let runs = opaque
+            .into_iter()
+            .map(|mesh| geometry.add(mesh, &mesh.triangles, 0));
+        geometry.orders = vec![runs.collect::<Result<_>>()?];
+        let origin = geometry.origin;
+        geometry.merged = Some(Merged::new(context, transparent.into_iter(), origin)?);
+        Ok(geometry)
+    }
+
+    /// Has these triangles of the transparent meshes drawn, in this order, if they were uploaded as one.
+    pub(super) fn submit(&mut self, triangles: &[[u32; 3]]) -> Result<()> {
+        let _bound = Bound::keep(self.context)?;
+        match &mut self.merged {
+            Some(merged) => merged.submit(self.context, triangles),
+            None => Err(Error::out_of_order(
+                "triangles are submitted to meshes that were not uploaded as one",
+                "have the method draw in DrawOrder::Own",
+            )),
+        }
+    }
+
+    /// Whether programs need a shader for mixed surfaces.
+    pub(super) fn is_mixed(&self) -> bool {
+        self.merged.as_ref().is_some_and(Merged::is_mixed)
+    }
+
     /// Has the scene that was uploaded in orders drawn in others. Its vertices are not uploaded again.
     pub(super) fn reorder(&mut self, scene: &Scene, orders: &[Vec<[u32; 2]>]) -> Result<()> {
         let _bound = Bound::keep(self.context)?;
@@ -176,6 +198,7 @@ impl<'c> Geometry<'c> {
         let mut geometry = Self {
             context,
             meshes: Vec::with_capacity(scene.meshes.len()),
+            merged: None,
             orders: vec![Vec::new()],
             order: 0,
             origin: origin_of(scene),
@@ -233,79 +256,67 @@ impl<'c> Geometry<'c> {
     /// was nothing to draw.
     pub(super) fn draw(&self, surfaces: &Surfaces, objects: Objects) -> Option<u64> {
         let gl = self.context.glow();
-        let view_projection = self.view_projection.to_cols_array();
         let mut current = None;
-        let mut triangles = 0;
+        let mut triangles = None;
         for run in &self.orders[self.order] {
             let mesh = &self.meshes[run.mesh];
             if !mesh.is_among(objects) {
                 continue;
             }
-            let program = surfaces.of(mesh.shading);
+            let program = surfaces.of(mesh.surface);
+            self.use_program(program, mesh.surface, &mut current);
             // SAFETY: the context is current; every index is below the number of vertices, which `Uploaded::new`
             // checked; the locations are this program's, and GL ignores a uniform that a program does not have.
             unsafe {
-                if current != Some(program.raw) {
-                    current = Some(program.raw);
-                    gl.use_program(Some(program.raw));
-                    gl.uniform_matrix_4_f32_slice(
-                        program.view_projection.as_ref(),
-                        false,
-                        &view_projection,
-                    );
-                    gl.uniform_3_f32(program.eye.as_ref(), self.eye.x, self.eye.y, self.eye.z);
-                }
-                gl.uniform_1_i32(
-                    program.two_sided.as_ref(),
-                    i32::from(mesh.shading == Shading::TwoSided),
-                );
-                gl.uniform_3_f32_slice(program.inside.as_ref(), &mesh.inside);
                 gl.uniform_1_u32(program.volume.as_ref(), mesh.volume.unwrap_or(u32::MAX));
                 gl.bind_vertex_array(Some(mesh.array));
-                for piece in run.pieces() {
-                    // gl_PrimitiveID starts at 0 in every draw.
-                    gl.uniform_1_u32(program.first_triangle.as_ref(), piece.place);
-                    triangles += piece.count as u64 / 3;
-                    gl.draw_elements(
-                        glow::TRIANGLES,
-                        piece.count,
-                        glow::UNSIGNED_INT,
-                        piece.first * 4,
-                    );
-                    if piece.count == PIECE {
-                        gl.flush();
-                    }
-                }
+                *triangles.get_or_insert(0) += run.draw(gl, program);
             }
         }
-        current.map(|_| triangles)
+        if let (Some(merged), Objects::Scene | Objects::Transparent) = (&self.merged, objects) {
+            let choose = |surface| self.use_program(surfaces.of(surface), surface, &mut current);
+            if let Some(more) = merged.draw(gl, surfaces, choose) {
+                *triangles.get_or_insert(0) += more;
+            }
+        }
+        triangles
+    }
+
+    /// Makes a surface's program current, and sets its uniforms. `current` is the one that is.
+    fn use_program(
+        &self,
+        program: &Program,
+        surface: Surface,
+        current: &mut Option<glow::Program>,
+    ) {
+        let gl = self.context.glow();
+        // SAFETY: the context is current; the locations are this program's, and GL ignores a uniform that a program does
+        // not have.
+        unsafe {
+            if *current != Some(program.raw) {
+                *current = Some(program.raw);
+                gl.use_program(Some(program.raw));
+                gl.uniform_matrix_4_f32_slice(
+                    program.view_projection.as_ref(),
+                    false,
+                    &self.view_projection.to_cols_array(),
+                );
+                gl.uniform_3_f32(program.eye.as_ref(), self.eye.x, self.eye.y, self.eye.z);
+            }
+            let inside = match surface {
+                Surface::Lit(inside) => inside,
+                _ => None,
+            };
+            gl.uniform_1_i32(program.two_sided.as_ref(), i32::from(inside.is_some()));
+            gl.uniform_3_f32_slice(program.inside.as_ref(), &inside.unwrap_or_default());
+        }
     }
 }
 
 impl Uploaded {
     fn new(context: &Context, mesh: &Mesh, triangles: &[[u32; 3]], origin: DVec3) -> Result<Self> {
-        if let Some(index) = mesh
-            .triangles
-            .iter()
-            .flatten()
-            .find(|&&index| index as usize >= mesh.vertices.len())
-        {
-            let what = format!(
-                "mesh '{}' uses vertex {index} of {}",
-                mesh.name,
-                mesh.vertices.len()
-            );
-            return Err(Error::scene(
-                what,
-                "every index of a triangle must be below the number of vertices",
-            ));
-        }
-        let corners: Vec<Corner> = mesh
-            .vertices
-            .iter()
-            .map(|vertex| Corner::of(vertex, origin))
-            .collect();
-        let stride = size_of::<Corner>() as i32;
+        expect_indices(mesh)?;
+        let corners = corners(mesh, origin);
         let gl = context.glow();
         let mut making = Making::new(gl);
         // SAFETY: the context is current; the slices are read before the calls return; the three attributes lie within
@@ -320,27 +331,14 @@ impl Uploaded {
             fill(context, glow::ARRAY_BUFFER, &what, bytes)?;
             let indices = making.buffer()?;
             gl.bind_buffer(glow::ELEMENT_ARRAY_BUFFER, Some(indices));
-            for (attribute, components, offset) in
-                [(POSITION, 3, 0), (NORMAL, 3, 12), (COLOR, 4, 24)]
-            {
-                gl.enable_vertex_attrib_array(attribute);
-                gl.vertex_attrib_pointer_f32(
-                    attribute,
-                    components,
-                    glow::FLOAT,
-                    false,
-                    stride,
-                    offset,
-                );
-            }
+            Corner::set_attributes(gl);
             Self {
                 vertices,
                 indices,
                 array,
                 opaque: mesh.opaque,
                 sorted: mesh.sorted,
-                shading: mesh.shading,
-                inside: mesh.inside,
+                surface: Surface::of(mesh),
                 volume: None,
             }
         };
@@ -403,6 +401,9 @@ impl Drop for Geometry<'_> {
             return;
         };
         let gl = self.context.glow();
+        if let Some(merged) = &self.merged {
+            merged.delete(gl);
+        }
         for mesh in &self.meshes {
             // SAFETY: the objects are this mesh's own, and the context outlives the borrow.
             unsafe {

@@ -68,10 +68,13 @@ impl GlMachine<'_> {
                 let gl = self.context.glow();
                 // A draw over the screen works on layers of transparent surfaces, so it need not reach further than
                 // they do.
-                let [x, mut y, width, mut height] = self
-                    .geometry
-                    .as_ref()
-                    .map_or(self.whole(), Geometry::window);
+                let window = || {
+                    self.geometry
+                        .as_ref()
+                        .map_or(self.whole(), Geometry::window)
+                };
+                let screen = self.screen.map(|screen| screen.map(|side| side as i32));
+                let [x, mut y, width, mut height] = screen.unwrap_or_else(window);
                 if let Some([first, rows]) = self.band {
                     let (low, high) = (first as i32, (first + rows) as i32);
                     let top = (y + height).clamp(low, high);

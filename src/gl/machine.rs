@@ -41,6 +41,8 @@ pub struct GlMachine<'c> {
     pub(super) classic: Classic,
     /// First row and number of rows that are drawn to, if not all.
     pub(super) band: Option<[u32; 2]>,
+    /// The pixels that draws over the screen cover, if a method has said it: x, y, width and height.
+    pub(super) screen: Option<[u32; 4]>,
     pub(super) geometry_passes: u64,
     pub(super) triangles: u64,
 }
@@ -89,6 +91,7 @@ impl<'c> GlMachine<'c> {
             scan: Scan::default(),
             classic: Classic::default(),
             band: None,
+            screen: None,
             geometry_passes: 0,
             triangles: 0,
         })
@@ -106,7 +109,28 @@ impl<'c> GlMachine<'c> {
 
     /// Sets the geometry that draw calls draw.
     pub fn set_geometry(&mut self, geometry: Geometry<'c>) {
+        self.programs.mixed = geometry.is_mixed();
         self.geometry = Some(geometry);
+    }
+
+    /// Has these triangles of the transparent meshes drawn, in this order, if the method draws in an order of its own
+    /// ([`DrawOrder::Own`](crate::low_level::methods::DrawOrder::Own)). Their corners are numbers of vertices, which are
+    /// numbered through all transparent meshes in the order of submission.
+    ///
+    /// # Errors
+    /// If there is no scene, if it is drawn in another order, if a corner is no vertex, or if the driver has no room.
+    pub fn submit_triangles(&mut self, triangles: &[[u32; 3]]) -> Result<()> {
+        self.context.expect_current()?;
+        let no_scene = || {
+            Error::out_of_order(
+                "triangles are submitted before there is a scene",
+                "set_geometry first",
+            )
+        };
+        self.geometry
+            .as_mut()
+            .ok_or_else(no_scene)?
+            .submit(triangles)
     }
 
     /// Has draw calls draw another of the orders in which the geometry was uploaded
@@ -155,6 +179,7 @@ impl<'c> GlMachine<'c> {
         self.programs.forget_current();
         self.classic.begin_frame();
         self.band = None;
+        self.screen = None;
         (self.geometry_passes, self.triangles) = (0, 0);
         if let Some(geometry) = &mut self.geometry {
             geometry.begin_frame();
@@ -230,6 +255,12 @@ impl<'c> GlMachine<'c> {
     pub(crate) fn set_band(&mut self, band: Option<[u32; 2]>) {
         self.band = band;
         self.scissor_to_band();
+    }
+
+    /// Has draws over the screen cover these pixels: x, y, width and height. With `None` they cover those where
+    /// transparent surfaces may be.
+    pub(crate) fn set_screen(&mut self, screen: Option<[u32; 4]>) {
+        self.screen = screen;
     }
 
     /// The scissor of the band, or `None` for the whole image.

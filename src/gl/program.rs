@@ -5,7 +5,7 @@ use glow::HasContext;
 use super::glsl::{Declared, Files, Source};
 use super::making::{Making, named};
 use crate::error::{Error, Result};
-use crate::scene::Shading;
+use crate::scene::{Mesh, Shading};
 use crate::steps::Shader;
 
 /// A name and a value, which a shader's source sees as a `#define`.
@@ -94,20 +94,23 @@ pub(super) struct ProgramKey {
     defines: Vec<Define>,
     /// If it draws slices, too, what their part is compiled with besides.
     slices: Option<[Define; 2]>,
+    /// Whether it draws mixed surfaces.
+    mixed: bool,
 }
 
 impl ProgramKey {
     /// `defines` and `more`, which comes last, are for shaders that ask for them; `inverse_w` is the near plane's distance,
-    /// as the bits of a float, if depths are 1/w (`common/fragment_depth.glsl`). All that draw surfaces draw slices, too, if
-    /// there are any.
+    /// as the bits of a float, if depths are 1/w (`common/fragment_depth.glsl`). All that draw surfaces draw slices and mixed
+    /// surfaces, too, if there are any: `surfaces` says which.
     pub(super) fn new(
         shader: Shader,
         declared: &Declared,
         defines: &[Define],
         more: Option<Define>,
-        slices: Option<[Define; 2]>,
+        surfaces: (Option<[Define; 2]>, bool),
         inverse_w: Option<u32>,
     ) -> Self {
+        let (slices, mixed) = surfaces;
         let asked_for = defines.iter().copied().chain(more);
         let inverse_w = inverse_w.map(|near| ("INVERSE_W", near));
         Self {
@@ -117,6 +120,7 @@ impl ProgramKey {
                 .chain(inverse_w)
                 .collect(),
             slices: slices.filter(|_| !declared.draws_screen),
+            mixed: mixed && !declared.draws_screen,
         }
     }
 }
@@ -130,6 +134,28 @@ pub(super) enum ProgramSet {
     Surface(Surfaces),
 }
 
+/// How triangles are shaded, as far as a program and its uniforms tell surfaces apart.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Surface {
+    Unlit,
+    /// With the colour of back faces if both sides have one of their own.
+    Lit(Option<[f32; 3]>),
+    Slice,
+    /// The vertices say it.
+    Mixed,
+}
+
+impl Surface {
+    pub(super) fn of(mesh: &Mesh) -> Self {
+        match mesh.shading {
+            Shading::None => Self::Unlit,
+            Shading::Flat | Shading::Lit => Self::Lit(None),
+            Shading::TwoSided => Self::Lit(Some(mesh.inside)),
+            Shading::Slice => Self::Slice,
+        }
+    }
+}
+
 /// A program for each kind of shading.
 #[derive(Debug)]
 pub(super) struct Surfaces {
@@ -138,14 +164,17 @@ pub(super) struct Surfaces {
     lit: Program,
     /// It is only linked if there are slices.
     slice: Option<Program>,
+    /// It is only linked if there are mixed surfaces.
+    mixed: Option<Program>,
 }
 
 impl Surfaces {
-    pub(super) fn of(&self, shading: Shading) -> &Program {
-        match (shading, &self.slice) {
-            (Shading::Slice, Some(slice)) => slice,
-            (Shading::None | Shading::Slice, _) => &self.unlit,
-            (Shading::Flat | Shading::Lit | Shading::TwoSided, _) => &self.lit,
+    pub(super) fn of(&self, surface: Surface) -> &Program {
+        match (surface, &self.slice, &self.mixed) {
+            (Surface::Slice, Some(slice), _) => slice,
+            (Surface::Mixed, _, Some(mixed)) => mixed,
+            (Surface::Lit(_), ..) => &self.lit,
+            (Surface::Unlit | Surface::Slice | Surface::Mixed, ..) => &self.unlit,
         }
     }
 }
@@ -184,6 +213,10 @@ impl ProgramSet {
                 .as_ref()
                 .map(|slices| with("surface/slice.frag", &[&key.defines[..], slices].concat()))
                 .transpose()?,
+            mixed: key
+                .mixed
+                .then(|| with("surface/mixed.frag", &key.defines))
+                .transpose()?,
         };
         making.finish();
         Ok(Self::Surface(surfaces))
@@ -197,10 +230,14 @@ impl ProgramSet {
     /// Every program.
     pub(super) fn programs(&self) -> impl Iterator<Item = &Program> {
         let (first, more) = match self {
-            Self::Screen(program) => (program, [None, None]),
+            Self::Screen(program) => (program, [None; 3]),
             Self::Surface(surfaces) => (
                 &surfaces.unlit,
-                [Some(&surfaces.lit), surfaces.slice.as_ref()],
+                [
+                    Some(&surfaces.lit),
+                    surfaces.slice.as_ref(),
+                    surfaces.mixed.as_ref(),
+                ],
             ),
         };
         std::iter::once(first).chain(more.into_iter().flatten())

@@ -21,6 +21,8 @@ pub(super) struct Programs {
     pub(super) defines: Vec<Define>,
     /// What the programs of slices are compiled with, if any are drawn.
     pub(super) slices: Option<[Define; 2]>,
+    /// Whether some surfaces are mixed.
+    pub(super) mixed: bool,
     /// The near plane's distance, as the bits of a float, if depths are 1/w.
     pub(super) inverse_w: Option<u32>,
 }
@@ -38,8 +40,8 @@ impl Programs {
             Entry::Occupied(read) => read.into_mut(),
             Entry::Vacant(place) => place.insert(Declared::read(&self.files, shader)?),
         };
-        let (slices, inverse_w) = (self.slices, self.inverse_w);
-        let key = ProgramKey::new(shader, declared, &self.defines, size, slices, inverse_w);
+        let (surfaces, inverse_w) = ((self.slices, self.mixed), self.inverse_w);
+        let key = ProgramKey::new(shader, declared, &self.defines, size, surfaces, inverse_w);
         if let Entry::Vacant(place) = self.linked.entry(key.clone()) {
             let linked = ProgramSet::new(gl, &self.files, declared, place.key())?;
             place.insert(linked);

@@ -126,6 +126,14 @@ impl<'c> GlMachine<'c> {
         self.storages.clear(self.context.glow(), storage)
     }
 
+    /// Fills a buffer's beginning.
+    ///
+    /// # Errors
+    /// If there is no such buffer, or it is shorter.
+    pub fn write_storage(&self, storage: Storage, bytes: &[u8]) -> Result<()> {
+        self.storages.write(self.context.glow(), storage, bytes)
+    }
+
     /// A buffer's bytes.
     ///
     /// # Errors

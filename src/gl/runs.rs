@@ -1,5 +1,8 @@
 //! The order in which triangles are drawn: runs of one mesh's triangles, a draw call each.
 
+use glow::HasContext;
+
+use super::program::Program;
 use crate::scene::Scene;
 
 /// Triangles of one mesh that are drawn by one call: `count` indices from `first`.
@@ -17,6 +20,32 @@ pub(super) struct Run {
 pub(super) const PIECE: i32 = 3 * 10_000;
 
 impl Run {
+    /// Draws the run with the program, which is current, as is the vertex array. Returns the number of triangles.
+    ///
+    /// # Safety
+    /// Every index of the run is that of a vertex.
+    pub(super) unsafe fn draw(&self, gl: &glow::Context, program: &Program) -> u64 {
+        let mut triangles = 0;
+        for piece in self.pieces() {
+            triangles += piece.count as u64 / 3;
+            // SAFETY: the caller says so; the location is the program's.
+            unsafe {
+                // gl_PrimitiveID starts at 0 in every draw.
+                gl.uniform_1_u32(program.first_triangle.as_ref(), piece.place);
+                gl.draw_elements(
+                    glow::TRIANGLES,
+                    piece.count,
+                    glow::UNSIGNED_INT,
+                    piece.first * 4,
+                );
+                if piece.count == PIECE {
+                    gl.flush();
+                }
+            }
+        }
+        triangles
+    }
+
     pub(super) fn pieces(&self) -> impl Iterator<Item = Self> + use<> {
         let (mesh, start, place) = (self.mesh, self.first, self.place);
         let end = start + self.count;

@@ -1,7 +1,7 @@
 //! A method as the renderer sees it: it is prepared for a scene, and then draws frames.
 
 use super::hanging::Hanging;
-use super::stats::{ABufferCounts, Peeling};
+use super::stats::{ABufferCounts, Peeling, VerifiedCounts};
 use crate::error::Result;
 use crate::gl::{Format, GlMachine};
 use crate::image::Image;
@@ -48,6 +48,9 @@ pub enum DrawOrder {
     /// Several orders, which need not have every triangle. Frames begin with the first one;
     /// [`GlMachine::choose_order`] chooses another.
     InTurn(Vec<Vec<[u32; 2]>>),
+    /// Nothing transparent is drawn but what the method submits itself, frame by frame
+    /// ([`GlMachine::submit_triangles`]).
+    Own,
 }
 
 /// How a renderer draws, whatever the method.
@@ -83,6 +86,8 @@ pub struct Drawn {
     pub peeling: Peeling,
     /// The costs of its lists, or `None` if it has none.
     pub a_buffer: Option<ABufferCounts>,
+    /// What could not be proved to be in order, or `None` if the method proves nothing.
+    pub verified: Option<VerifiedCounts>,
     /// The image, or `None` if it is in the map [`IMAGE_COLOR`](crate::papers::stage::IMAGE_COLOR).
     pub image: Option<Image>,
     /// The pixels that depend on depths that cannot be told apart, or `None` if the method has not looked for them.

@@ -204,6 +204,7 @@ impl<'c> Renderer<'c> {
         let machine = &mut self.machine;
         let (context, size) = (machine.context(), machine.size());
         machine.set_geometry(match orders(order) {
+            _ if *order == DrawOrder::Own => Geometry::upload_merged(context, scene, size)?,
             [] => Geometry::upload(context, scene, size)?,
             orders => Geometry::upload_in_orders(context, scene, size, orders)?,
         });
@@ -370,6 +371,7 @@ impl<'c> Renderer<'c> {
             bytes: counts.bytes,
             slices: shown.slices,
             a_buffer: drawn.a_buffer,
+            verified: drawn.verified,
             ms,
         };
         Ok(Frame {
@@ -424,7 +426,7 @@ impl<'c> Renderer<'c> {
 /// The orders other than the scene's own.
 fn orders(order: &DrawOrder) -> &[Vec<[u32; 2]>] {
     match order {
-        DrawOrder::Submission => &[],
+        DrawOrder::Submission | DrawOrder::Own => &[],
         DrawOrder::Sorted(order) => std::slice::from_ref(order),
         DrawOrder::InTurn(orders) => orders,
     }
