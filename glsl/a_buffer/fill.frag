@@ -22,10 +22,22 @@ layout(std430, binding = 0) writeonly buffer Records {
     uvec4 records[];
 };
 
+#if MARKED
+#include "verified/anchor.glsl"
+#include "verified/list.glsl"
+#endif
+
 void main() {
     STORE_DEPTH
     SKIP_HIDDEN
+#if MARKED
+    ivec2 here = place_of_list(list_number());
+    if (!is_in_band(here)) {
+        discard;
+    }
+#else
     ivec2 here = ivec2(gl_FragCoord.xy);
+#endif
     uint at = place(imageAtomicAdd(counter, here, 1u));
     if (at < band.capacity) {
         vec4 color = source_color();

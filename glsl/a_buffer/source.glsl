@@ -42,8 +42,15 @@ vec4 source_color() {
 #endif
 
 // What an opaque surface hides is in no list. The depth test comes before the shader, and so before its writes; but not
-// where the shader itself says what is tested.
-#ifdef INVERSE_W
+// where the shader itself says what is tested. Where only marked pixels have lists, the stencil test must come before the
+// shader, and the depth buffer holds other depths.
+#if MARKED
+#include "verified/hidden.glsl"
+#undef STORE_DEPTH
+#define STORE_DEPTH
+layout(early_fragment_tests) in;
+#define SKIP_HIDDEN SKIP_WHAT_IS_HIDDEN
+#elif defined(INVERSE_W)
 layout(binding = 5) uniform sampler2D opaque;
 
 bool is_hidden() {

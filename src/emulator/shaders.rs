@@ -25,7 +25,7 @@ pub(super) struct Kept {
 type Twin = fn(&Inputs<'_>) -> Outputs;
 
 /// Every twin by its file's name.
-const TWINS: [(&str, Twin); 16] = [
+const TWINS: [(&str, Twin); 17] = [
     ("surface", surface),
     ("peel", peel),
     ("coplanar", coplanar),
@@ -56,6 +56,7 @@ const TWINS: [(&str, Twin); 16] = [
         previous_depth(i, |low, z| low <= z)
     }),
     ("clip/next_bound", next_bound),
+    ("verified/surface", verified_surface),
 ];
 
 /// The twin of a shader.
@@ -118,6 +119,14 @@ fn over(i: &Inputs<'_>) -> Outputs {
 // under.frag
 fn under(i: &Inputs<'_>) -> Outputs {
     keep(premultiplied(layer_of(i)?))
+}
+
+// verified/surface.frag
+fn verified_surface(i: &Inputs<'_>) -> Outputs {
+    if i.fragment.depth >= (i.texel)(5)[0] {
+        return None;
+    }
+    keep(i.fragment.color.to_array())
 }
 
 // common/clip.glsl

@@ -7,6 +7,7 @@ use super::bindings;
 use super::glsl::{Files, Source};
 use super::shaders;
 use crate::papers::carr_2008::ideal;
+use crate::papers::edition;
 use crate::papers::papers;
 use crate::papers::salvi_2014;
 use crate::papers::stage::OPAQUE_DEPTH;
@@ -40,7 +41,7 @@ const BY_THE_MACHINE: [(&str, u32); 8] = [
 ];
 
 /// What a text's shaders declare and the text does not bind, with what does.
-const ELSEWHERE: [(&str, &[&str], &str); 8] = [
+const ELSEWHERE: [(&str, &[&str], &str); 9] = [
     (
         "carr/pass-6",
         &["lower", "opaque", "other_upper", "upper"],
@@ -55,6 +56,11 @@ const ELSEWHERE: [(&str, &[&str], &str); 8] = [
     ("lindholm/clear-and-fill", &["opaque"], RAYS),
     ("lindholm/resolve", &["Offsets", "opaque"], OFFSETS),
     ("lindholm/pp-ao", &["Offsets", "opaque"], OFFSETS),
+    (
+        "edition/verified-painter",
+        &["behind", "resolved"],
+        "the listing itself, where there are opaque surfaces; without them nothing looks there",
+    ),
     ("salvi/four-nodes", &["node_images", "opaque"], IMAGES),
     ("salvi/eight-nodes", &["node_images", "opaque"], IMAGES),
 ];
@@ -174,6 +180,7 @@ fn a_listing_binds_whatever_its_shaders_declare() {
         (&ideal::IDEAL, &ideal::BY_IMAGES[..]),
         (&salvi_2014::FOUR_NODES, &[salvi_2014::FOUR_IMAGES]),
         (&salvi_2014::EIGHT_NODES, &[salvi_2014::EIGHT_IMAGES]),
+        (&edition::VERIFIED_PAINTER, &[]),
     ] {
         let by_images = unbound(listing, amendments, &declarations);
         assert!(by_images.is_empty(), "{by_images:?}");

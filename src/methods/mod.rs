@@ -20,6 +20,7 @@
 //! | `dfb`, `dfb+ppao` | Lindholm et al. 2015 | yes, volumes by rays, too, up to 64 fragments a pixel (option array) | order of submission | the first submitted | pixels + fragments, in bands |
 //! | `dfb+ppdp`, `dfb+ppao+ppdp`, `ppll+ppdp`, `ppll+ppao+ppdp` | Lindholm et al. 2015 | yes, volumes by rays, too | order of submission |  | pixels + fragments, in bands |
 //! | `ppll`, `ppll+ppao` | Lindholm et al. 2015 | yes, volumes by rays, too, up to 64 fragments a pixel (option array) | order of submission | the last submitted | pixels + fragments, in bands |
+//! | `verified-painter` | this edition | yes; volumes as slices: no, an error of order 1 in the slices' distance | order of submission |  | pixels + triangles |
 //! | `exact` | the oracle | yes, volumes by rays, too | order of submission |  | fragments, in pieces |
 //! <!-- /methods -->
 //!
@@ -94,5 +95,5 @@ pub use options::*;
 pub use registry::{Listed, Method, methods_with, registry};
 pub use renderer::Renderer;
 pub use slicing::{DEFAULT_SLICES, MOST_SLICES};
-pub use stats::{ABufferCounts, Peeling, Stats};
+pub use stats::{ABufferCounts, Peeling, Stats, VerifiedCounts};
 pub use technique::Technique;

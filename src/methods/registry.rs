@@ -30,6 +30,7 @@ macro_rules! every_method {
             coherent_layer_peeling: CoherentLayerPeeling(CoherentOptions),
             ideal_coherent_layer_peeling: IdealCoherentLayerPeeling(IdealOptions),
             a_buffer: ABuffer(ABufferOptions),
+            verified_painter: VerifiedPainter,
             exact: Exact,
         }
     };

@@ -36,6 +36,8 @@ pub struct Stats {
     pub slices: Option<u32>,
     /// The costs of the fragment lists, or `None` if the method has none.
     pub a_buffer: Option<ABufferCounts>,
+    /// The proof of the verified painter, or `None` with other methods.
+    pub verified: Option<VerifiedCounts>,
     /// The time of the frame in milliseconds, without readback and files.
     ///
     /// After [`measure`](super::Renderer::measure) it is the median of several frames. After
@@ -67,6 +69,20 @@ pub struct ABufferCounts {
     pub truncated_pixels: u64,
     /// The number of times that ppAO's segments have resolved a pixel, or 0 without ppAO.
     pub resolved: u64,
+}
+
+/// What the verified painter could not prove, and so put into lists.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct VerifiedCounts {
+    /// The pixels whose fragments were not drawn in strictly increasing depths.
+    pub marked_pixels: u64,
+    /// The fragments of these pixels.
+    pub list_fragments: u64,
+    /// The triangles that were drawn into the lists, twice: to count fragments, and to fill.
+    pub list_triangles: u64,
+    /// The bytes of the lists.
+    pub list_bytes: u64,
 }
 
 /// The answer to VTK's question "was depth peeling actually used", with its reason.
@@ -153,6 +169,21 @@ impl fmt::Display for Stats {
                 &format_args!(
                     "{} reserved, {} used",
                     counts.slots_reserved, counts.slots_used
+                ),
+            )?;
+        }
+        if let Some(counts) = &self.verified {
+            line(
+                "not in order",
+                &format_args!("{} pixels", counts.marked_pixels),
+            )?;
+            line(
+                "lists",
+                &format_args!(
+                    "{} fragments of {} triangles, {:.1} MiB",
+                    counts.list_fragments,
+                    counts.list_triangles,
+                    counts.list_bytes as f64 / f64::from(1 << 20)
                 ),
             )?;
         }

@@ -16,6 +16,7 @@ macro_rules! every_paper {
             vasilakis_2013,
             mcguire_2013,
             salvi_2014,
+            edition,
         }
     };
 }

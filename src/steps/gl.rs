@@ -73,6 +73,12 @@ pub const DEPTH_AND_STENCIL_BUFFER_BITS: Buffers = Buffers {
     depth: true,
     stencil: true,
 };
+/// All three.
+pub const ALL_BUFFER_BITS: Buffers = Buffers {
+    color: true,
+    depth: true,
+    stencil: true,
+};
 
 /// The value is that of the variable with the same name.
 pub const fn glUniform1f(name: &'static str) -> Call {

@@ -62,5 +62,6 @@ mod peeling_changed;
 mod readings;
 mod slices;
 mod uploads;
+mod verified_painter;
 mod volumes;
 mod weighted_blended;

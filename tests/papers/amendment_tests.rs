@@ -11,10 +11,16 @@ use onionskin::papers;
 use crate::ledger::{cited, compiled};
 
 /// Of a method whose paper has no claims here, a test of another binary, with that binary's file.
-const WITHOUT_CLAIMS: [(&str, &str); 1] = [(
-    "by_images_every_image_is_the_same",
-    include_str!("../gl/by_images.rs"),
-)];
+const WITHOUT_CLAIMS: [(&str, &str); 2] = [
+    (
+        "by_images_every_image_is_the_same",
+        include_str!("../gl/by_images.rs"),
+    ),
+    (
+        "every_bundled_scene_is_exact_by_the_verified_painter",
+        include_str!("../gl/verified_painter.rs"),
+    ),
+];
 
 #[test]
 fn every_amendment_names_a_test_that_is_compiled() {

@@ -65,7 +65,7 @@ pub(crate) fn with_every_opaque(ranks: &[usize]) -> impl Iterator<Item = Pixel> 
 
 /// Up to 6 surfaces with every pattern of ties and every opaque surface; 7 in every order with every opaque surface; 8
 /// in every order, without and with one at, between or behind them.
-fn cases() -> Vec<Pixel> {
+pub(crate) fn cases() -> Vec<Pixel> {
     let mut cases: Vec<Pixel> = Vec::new();
     for n in 1..=6 {
         for ranks in sequences_with_ties(n) {

@@ -51,6 +51,7 @@ impl ABuffer {
         machine.set_band(Some([band.first_row, band.rows]));
         machine.set_parameters(BandParameters {
             first_row: band.first_row,
+            rows: band.rows,
             width,
             layers: band.layers,
             capacity: records,

@@ -24,9 +24,11 @@ mod counting;
 mod entries;
 mod lists;
 mod loops;
+mod marked;
 mod options;
 
 pub(super) use counting::expect_stencil;
+pub(super) use marked::MarkedLists;
 
 use bands::{Band, Budget, bands, fixed, preferred};
 pub use options::{ABufferOptions, ArraySort, Fill, Keep, LARGEST_NETWORK, Manager, RecordColor};
@@ -62,6 +64,10 @@ struct ABuffer {
     layers: u32,
     /// Whether Local Arrays are sorted by insertion.
     inserts: bool,
+    /// Whether only marked pixels have lists: see [`MarkedLists`].
+    marked: bool,
+    /// Whether the scene has opaque surfaces, which the shaders ask about where only marked pixels have lists.
+    opaque: bool,
 }
 
 impl ABuffer {
@@ -74,11 +80,15 @@ impl ABuffer {
             complexity: Vec::new(),
             layers: 0,
             inserts: true,
+            marked: false,
+            opaque: false,
         }
     }
 
     fn ordered(&self, machine: &GlMachine<'_>) -> bool {
-        self.options.fill != Fill::Atomics
+        // A marked pixel's counter is not at the pixel, so no framebuffer has it.
+        !self.marked
+            && self.options.fill != Fill::Atomics
             && machine
                 .context()
                 .driver()
@@ -117,6 +127,8 @@ impl ABuffer {
         };
         let mut defines = self.volumes.to_vec();
         defines.extend([
+            ("MARKED", yes(self.marked)),
+            ("OPAQUE", yes(self.opaque)),
             ("FFB", Manager::Ffb as u32),
             ("DFB", Manager::Dfb as u32),
             ("PPLL", Manager::Ppll as u32),

@@ -1,0 +1,161 @@
+//! Lists for marked pixels alone, as another method leaves them: those whose stencil value is not 0.
+//!
+//! The marked pixels are numbered, and lie side by side in maps of their own, as if they were an image of a few rows. No
+//! byte and no draw is spent on the others, and a scattering of pixels is resolved as quickly as a full image. Only the
+//! Fill Step draws at the pixels' own places, where the stencil test lets it.
+//!
+//! The lists are dynamic buffers ([`Manager::Dfb`]) with ppAO and ppDP, in bands of these rows if there are too many.
+
+use super::array_sort::inserts;
+use super::bands::{Band, Budget, bands};
+use super::options::{ABufferOptions, Fill, Manager, RecordColor};
+use super::{ABuffer, paper};
+use crate::error::Result;
+use crate::gl::{BandParameters, Format, GlMachine, RECORDS, Texels, largest_storage};
+use crate::papers::edition;
+use crate::scene::Scene;
+use crate::steps::{Machine, Map, Variables, gl, run};
+
+/// The lists of marked pixels.
+pub(in crate::low_level::methods) struct MarkedLists(ABuffer);
+
+const OPTIONS: ABufferOptions = ABufferOptions {
+    manager: Manager::Dfb,
+    pp_ao: true,
+    pp_dp: true,
+    fill: Fill::Atomics,
+    color: RecordColor::Float,
+    ..ABufferOptions::DEFAULT
+};
+
+impl MarkedLists {
+    pub(in crate::low_level::methods) fn new(scene: &Scene) -> Self {
+        Self(ABuffer {
+            marked: true,
+            opaque: scene.meshes.iter().any(|mesh| mesh.opaque),
+            ..ABuffer::new(OPTIONS, false)
+        })
+    }
+
+    /// Whether opaque surfaces may hide fragments.
+    pub(in crate::low_level::methods) fn has_opaque(&self) -> bool {
+        self.0.opaque
+    }
+
+    /// Makes the counters and the framebuffers. The stencil of `marks` has the marks.
+    ///
+    /// # Errors
+    /// If the driver has no room.
+    pub(in crate::low_level::methods) fn prepare(
+        &self,
+        machine: &mut GlMachine<'_>,
+        marks: Map,
+    ) -> Result<()> {
+        machine.allocate(paper::COUNTER, Format::R32Ui)?;
+        machine.framebuffer_with(paper::CLEARED, &[paper::COUNTER], None)?;
+        machine.framebuffer_with(paper::FILL, &[], Some(marks))?;
+        machine.framebuffer_with(paper::RESOLVED, &[edition::RESOLVED], None)
+    }
+
+    /// Numbers lists as if all were in one band, for passes before the lists are made.
+    ///
+    /// # Errors
+    /// If the driver has no room.
+    pub(in crate::low_level::methods) fn number(machine: &mut GlMachine<'_>) -> Result<()> {
+        let [width, rows] = machine.size();
+        machine.set_parameters(BandParameters {
+            first_row: 0,
+            rows,
+            width,
+            layers: 0,
+            capacity: 0,
+            before: 0,
+        })
+    }
+
+    /// Fills the lists, of which number n has `counts[n]` fragments, and resolves each over what lies behind it. Returns
+    /// the bytes of the lists.
+    ///
+    /// # Errors
+    /// If the driver has no room.
+    pub(in crate::low_level::methods) fn draw(
+        &mut self,
+        machine: &mut GlMachine<'_>,
+        mut counts: Vec<u32>,
+    ) -> Result<u64> {
+        let width = machine.size()[0];
+        // No list: no fragment.
+        counts.resize(counts.len().next_multiple_of(width as usize), 0);
+        let budget = Budget {
+            bytes: u64::MAX,
+            fixed: 0,
+            records: largest_storage(machine.context(), Texels::Rgba32Ui) / OPTIONS.record_bytes(),
+            preferred_band: u64::MAX,
+        };
+        let bands = bands(&counts, width, &OPTIONS, budget)?;
+        let bytes = self.allocate_marked(machine, &counts, &bands)?;
+        if !self.has_opaque() {
+            let rows = (counts.len() as u32) / width;
+            machine.set_band(Some([0, rows]));
+            run(&edition::BACKGROUND_BEHIND, &[], Variables::new(), machine)?;
+            machine.set_band(None);
+        }
+        for call in [
+            gl::glActiveTexture(2),
+            gl::glBindTexture(paper::ANCHOR),
+            gl::glActiveTexture(0),
+        ] {
+            machine.perform(&call)?;
+        }
+        self.0.layers = bands.iter().map(|band| band.layers).max().unwrap_or(0);
+        self.0.inserts = inserts(&OPTIONS, &counts, self.0.layers);
+        let mut before = 0;
+        for band in bands.iter().filter(|band| band.fragments > 0) {
+            // The Resolve Step of the band before has disabled it.
+            machine.perform(&gl::glEnable(gl::STENCIL_TEST))?;
+            machine.set_screen(Some([0, band.first_row, width, band.rows]));
+            machine.set_parameters(BandParameters {
+                first_row: band.first_row,
+                rows: band.rows,
+                width,
+                layers: band.layers,
+                capacity: band.records(OPTIONS.manager, width) as u32,
+                // Offsets may have wrapped around; their differences are right all the same.
+                before: before as u32,
+            })?;
+            self.0.draw_band(machine, band, &[])?;
+            before += band.fragments;
+        }
+        machine.set_screen(None);
+        Ok(bytes)
+    }
+
+    /// Makes the buffers as large as the largest band needs. Returns their bytes.
+    fn allocate_marked(
+        &self,
+        machine: &mut GlMachine<'_>,
+        counts: &[u32],
+        bands: &[Band],
+    ) -> Result<u64> {
+        let width = machine.size()[0];
+        let records = bands.iter().map(|band| band.bytes(&OPTIONS, width));
+        let records = records.max().unwrap_or(0);
+        machine.allocate_storage(paper::RECORDS, records, Some(Texels::Rgba32Ui))?;
+        machine.bind_texels(RECORDS, paper::RECORDS)?;
+        let mut next = 0u32;
+        let offsets = counts.iter().map(|&count| {
+            let offset = next;
+            next = next.wrapping_add(count);
+            offset
+        });
+        let offsets: Vec<u32> = offsets.collect();
+        let bytes = 4 * offsets.len() as u64;
+        machine.allocate_storage(paper::OFFSETS, bytes, None)?;
+        machine.write_storage(paper::OFFSETS, bytemuck::cast_slice(&offsets))?;
+        // A listing binds these, but dynamic buffers have no use for them.
+        for storage in [paper::NEXT, paper::POOL] {
+            machine.allocate_storage(storage, 16, None)?;
+        }
+        Ok(records + bytes)
+    }
+}

@@ -1,0 +1,146 @@
+//! The verified painter, this edition's own: triangles are sorted approximately, back to front, and blended over one another in one pass,
+//! in which the depth test proves at which pixels the order was right. The few other pixels get fragment lists.
+//!
+//! [`edition`](crate::low_level::papers::edition) has the listing and the proof. A frame has four parts:
+//!
+//! 1. The CPU sorts the triangles of all transparent meshes together by their centroids ([`view_order`]), and uploads their
+//!    indices. This is part of every frame, because every frame may have another view.
+//! 2. One pass blends them, and marks in the stencil buffer where their order was wrong.
+//! 3. A pass over the screen numbers the marked pixels, and says in which tiles they lie. If there are none, that is all.
+//! 4. The triangles that touch these tiles are drawn again, in the order of submission, into lists for the marked pixels
+//!    alone: dynamic buffers, resolved with ppAO and ppDP (Lindholm et al. 2015).
+//!
+//! Excludes: multisampling; volumes, unless they are drawn as slices.
+
+mod tiles;
+mod view_order;
+
+use super::a_buffer::MarkedLists;
+use super::algorithm::{Algorithm, DrawOrder, Drawn, Setup};
+use super::allocate_maps::allocate_maps;
+use super::entry::{EXACT_BUT_NOT_SLICES, Entry, Memory, Ties, Volumes};
+use super::stats::VerifiedCounts;
+use super::technique::{Published, Technique};
+use crate::error::Result;
+use crate::gl::GlMachine;
+use crate::papers::edition::{
+    COUNT_MARKED, COUNTS, FAILED, MARKS, NOTHING_OPAQUE, PLACE_RESOLVED, PROOF_DEPTH, RESOURCES,
+    VERIFIED_PAINTER,
+};
+use crate::scene::Scene;
+use crate::steps::{Machine, Variables, run};
+
+use tiles::{TILE, Tiles};
+use view_order::Triangles;
+
+/// The verified painter, which has no options.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct VerifiedPainter;
+
+struct Verified {
+    setup: Setup,
+    triangles: Triangles,
+    lists: Option<MarkedLists>,
+    tiles: Tiles,
+}
+
+impl Algorithm for Verified {
+    fn order(&mut self, scene: &Scene) -> DrawOrder {
+        self.triangles = Triangles::of(scene);
+        DrawOrder::Own
+    }
+
+    fn prepare(&mut self, machine: &mut GlMachine<'_>, scene: &Scene) -> Result<()> {
+        let lists = MarkedLists::new(scene);
+        self.tiles = Tiles::of(machine.size());
+        machine.allocate_storage(MARKS, self.tiles.bytes(), None)?;
+        allocate_maps(machine, &[&RESOURCES], self.setup.color, self.setup.depth)?;
+        lists.prepare(machine, PROOF_DEPTH)?;
+        self.lists = Some(lists);
+        Ok(())
+    }
+
+    fn draw(&mut self, machine: &mut GlMachine<'_>, scene: &Scene) -> Result<Drawn> {
+        let Some(lists) = &mut self.lists else {
+            return Ok(Drawn::default());
+        };
+        machine.set_defines(&[
+            ("OPAQUE", u32::from(lists.has_opaque())),
+            ("TILE", TILE),
+            ("TILES_ACROSS", self.tiles.across()),
+        ]);
+        MarkedLists::number(machine)?;
+        machine.submit_triangles(&self.triangles.back_to_front(&scene.camera))?;
+        machine.clear_storage(MARKS)?;
+        let nothing_opaque: &[_] = match lists.has_opaque() {
+            true => &[],
+            false => &NOTHING_OPAQUE,
+        };
+        run(&VERIFIED_PAINTER, nothing_opaque, Variables::new(), machine)?;
+        let mut counts = VerifiedCounts {
+            marked_pixels: machine.samples(FAILED)?,
+            ..VerifiedCounts::default()
+        };
+        if counts.marked_pixels > 0 {
+            let marks = machine.read_storage(MARKS)?;
+            let tiles = self.tiles.marked(bytemuck::cast_slice(&marks));
+            let touching = self
+                .triangles
+                .touching(&scene.camera, machine.size(), &tiles);
+            counts.list_triangles = touching.len() as u64;
+            machine.submit_triangles(&touching)?;
+            let lengths = count(machine, counts.marked_pixels as usize)?;
+            counts.list_fragments = lengths.iter().copied().map(u64::from).sum();
+            counts.list_bytes = lists.draw(machine, lengths)?;
+            run(&PLACE_RESOLVED, &[], Variables::new(), machine)?;
+        }
+        Ok(Drawn {
+            iterations: 1,
+            verified: Some(counts),
+            ..Drawn::default()
+        })
+    }
+
+    /// What is counted next is all triangles.
+    fn account(&mut self, machine: &mut GlMachine<'_>, _: &mut Drawn) -> Result<()> {
+        machine.submit_triangles(&self.triangles.submitted)
+    }
+}
+
+/// The number of fragments of each list.
+fn count(machine: &mut GlMachine<'_>, lists: usize) -> Result<Vec<u32>> {
+    machine.allocate_storage(COUNTS, 4 * lists as u64, None)?;
+    machine.clear_storage(COUNTS)?;
+    run(&COUNT_MARKED, &[], Variables::new(), machine)?;
+    let counts = machine.read_storage(COUNTS)?;
+    Ok(bytemuck::cast_slice(&counts)[..lists].to_vec())
+}
+
+const ENTRY: Entry = Entry {
+    name: "verified-painter",
+    source: "this edition",
+    exact: true,
+    exactness: EXACT_BUT_NOT_SLICES,
+    ties: Ties::InOrder,
+    memory: Memory::PixelsAndTriangles,
+    volumes: Volumes::SlicesWhenAsked,
+    keeps: None,
+    needs: &[],
+};
+
+impl Technique for VerifiedPainter {
+    fn entry(&self) -> &'static Entry {
+        &ENTRY
+    }
+
+    fn algorithm(&self, setup: &Setup) -> Box<dyn Algorithm> {
+        Box::new(Verified {
+            setup: *setup,
+            triangles: Triangles::default(),
+            lists: None,
+            tiles: Tiles::default(),
+        })
+    }
+}
+
+impl Published for VerifiedPainter {}

@@ -1,0 +1,243 @@
+//! This edition's own method: blending in a sorted order that the depth test proves.
+//!
+//! Sorting triangles on the CPU is quick, and nearly right: where it is right, one pass of blending gives the exact image.
+//! Nothing in the classic painter's algorithm tells where it is wrong. Here the depth test does.
+//!
+//! # The proof
+//!
+//! It is the painter's algorithm, farthest triangles first, with three lines more. The depth buffer begins at 1 and is
+//! tested with `LESS`, and what passes is written. So of the fragments of a pixel, in the order in which they are drawn,
+//! each that passes lies strictly before all that have passed so far, and is blended over them. A fragment that fails
+//! counts the pixel's stencil value up from 0: `INCR` stops at 255 and never goes back to 0. Hence a pixel whose stencil
+//! value is 0 has had every one of its fragments blended, and each over exactly those that lie behind it. That is the exact
+//! image.
+//!
+//! A fragment fails if it lies behind another that was drawn earlier, if it is as deep as another, or if it lies on the far
+//! plane. So a pixel is marked exactly if its fragments did not come in strictly decreasing depths below 1. Nothing is
+//! concluded about a marked pixel: its fragments go into a list ([`lindholm_2015`](super::lindholm_2015)), where the order
+//! of submission decides between equal depths, as everywhere.
+//!
+//! What an opaque surface hides must not come to the depth test, for it would only fail there. The shader looks the
+//! opaque depth up and discards it.
+//!
+//! # Why back to front
+//!
+//! Front to back, with `GREATER`, proves the same. But then what is blended is not yet over the opaque image, and a draw
+//! over the whole screen has to put it there: on scenes with few layers that took as long as the blending.
+
+use super::paper::Paper;
+use super::stage::{self, IMAGE_COLOR, OPAQUE_DEPTH};
+use crate::papers::lindholm_2015::{ANCHOR, RESOLVED as RESOLVED_IMAGE};
+use crate::steps;
+use crate::steps::{
+    Amendment, Dialect, Format, Framebuffer, Holds, Kind, Listing, Map, Query, Resources, Shader,
+    Storage, Target, Text, gl::*,
+};
+
+/// Its texts.
+pub const PAPER: Paper = Paper {
+    key: "edition",
+    citation: "onionskin, Verified painter, this edition",
+    texts: &[
+        (
+            "verified-painter",
+            Text::Listing(VERIFIED_PAINTER, &NOTHING_OPAQUE),
+        ),
+        ("count-marked", Text::Listing(COUNT_MARKED, &[])),
+        ("place-resolved", Text::Listing(PLACE_RESOLVED, &[])),
+    ],
+    resources: &[&stage::RESOURCES, &RESOURCES],
+    claims: &[],
+    errata: &[],
+};
+
+/// The sorted triangles over one another, and whether that was right. If the query counts no pixel, the image is finished.
+pub const VERIFIED_PAINTER: Listing = Listing {
+    title: "Verified painter: sorted triangles over one another, and whether that was right",
+    source: "onionskin",
+    dialect: Dialect::Calls,
+    steps: steps! {
+        edition "opaque surfaces cull";
+        run stage::OPAQUE_FIRST;
+        edition "what lies behind the transparent surfaces, for the pixels that fail";
+        glCopyImageSubData(IMAGE_COLOR, BEHIND);
+        edition "the painter's algorithm, with a proof";
+        run BLEND_AND_PROVE;
+        edition "the pixels that failed get lists";
+        run MARK;
+    },
+};
+
+/// To [`VERIFIED_PAINTER`], where no surface is opaque: the background lies behind everything, and its colour is known
+/// without a copy.
+pub const NOTHING_OPAQUE: [Amendment; 2] = [
+    Amendment {
+        key: "nothing opaque",
+        kind: Kind::Edition,
+        place: "before the verified pass",
+        printed: steps! { glCopyImageSubData(IMAGE_COLOR, BEHIND); },
+        amended: steps! {},
+        why: "the background lies behind everything",
+        test: "every_bundled_scene_is_exact_by_the_verified_painter",
+    },
+    Amendment {
+        key: "nothing opaque",
+        kind: Kind::Edition,
+        place: "the marks",
+        printed: steps! {
+            glActiveTexture(3);
+            glBindTexture(BEHIND);
+            glActiveTexture(0);
+            glBindImageTexture(0, RESOLVED);
+        },
+        amended: steps! {},
+        why: "the background lies behind everything",
+        test: "every_bundled_scene_is_exact_by_the_verified_painter",
+    },
+];
+
+/// The verified pass. The triangles come sorted back to front, as well as the CPU could.
+pub const BLEND_AND_PROVE: Listing = Listing {
+    title: "Back to front, each fragment before all that were blended so far",
+    source: "onionskin",
+    dialect: Dialect::Calls,
+    steps: steps! {
+        glBindFramebuffer(PROOF);
+        glClearDepth(1.0);
+        glClearStencil(0);
+        glClear(DEPTH_AND_STENCIL_BUFFER_BITS);
+        glEnable(DEPTH_TEST);
+        glDepthFunc(LESS);
+        glEnable(STENCIL_TEST);
+        glStencilFunc(ALWAYS, 0, 0xFF);
+        line "// fail, zfail, zpass";
+        glStencilOp(KEEP, INCR, KEEP);
+        glEnable(BLEND);
+        glBlendFuncSeparate(SRC_ALPHA, ONE_MINUS_SRC_ALPHA, ONE, ONE_MINUS_SRC_ALPHA);
+        glActiveTexture(5);
+        glBindTexture(OPAQUE_DEPTH);
+        glActiveTexture(0);
+        glUseProgram(BLENDED);
+        drawTransparentObjects();
+        glDisable(BLEND);
+    },
+};
+
+/// Every pixel that failed gets a list of its own, by number. The depths have done their work, and are out of the way of
+/// the passes that fill the lists. These draw where the stencil value is not 0.
+pub const MARK: Listing = Listing {
+    title: "The pixels that failed, by number",
+    source: "onionskin",
+    dialect: Dialect::Calls,
+    steps: steps! {
+        edition "a list for each pixel that failed";
+        glBindFramebuffer(MARKED);
+        glClear(DEPTH_BUFFER_BIT);
+        glDepthMask(false);
+        glDisable(DEPTH_TEST);
+        glStencilFunc(NOTEQUAL, 0, 0xFF);
+        glStencilOp(KEEP, KEEP, KEEP);
+        glActiveTexture(3);
+        glBindTexture(BEHIND);
+        glActiveTexture(0);
+        glBindImageTexture(0, RESOLVED);
+        glBindStorageBuffer(0, MARKS);
+        glUseProgram(MARKER);
+        glBeginQuery(FAILED);
+        drawScreen();
+        glEndQuery(FAILED);
+        glMemoryBarrier();
+    },
+};
+
+/// Counts the fragments of the pixels that have lists.
+pub const COUNT_MARKED: Listing = Listing {
+    title: "How long the lists will be",
+    source: "onionskin",
+    dialect: Dialect::Calls,
+    steps: steps! {
+        edition "exact counts, as for every list here";
+        glBindFramebuffer(UNSEEN);
+        glEnable(DEPTH_TEST);
+        glActiveTexture(2);
+        glBindTexture(ANCHOR);
+        glActiveTexture(5);
+        glBindTexture(OPAQUE_DEPTH);
+        glActiveTexture(0);
+        glBindStorageBuffer(0, COUNTS);
+        glUseProgram(COUNTER);
+        drawTransparentObjects();
+        glMemoryBarrier();
+    },
+};
+
+/// Where no surface is opaque, the background lies behind every list. The clear colour is still the background's.
+pub const BACKGROUND_BEHIND: Listing = Listing {
+    title: "The background behind every list",
+    source: "onionskin",
+    dialect: Dialect::Calls,
+    steps: steps! {
+        glBindFramebuffer(RESOLVED_IMAGE);
+        glClear(COLOR_BUFFER_BIT);
+    },
+};
+
+/// Puts the marked pixels in their places.
+pub const PLACE_RESOLVED: Listing = Listing {
+    title: "The pixels that failed, as their lists were resolved",
+    source: "onionskin",
+    dialect: Dialect::Calls,
+    steps: steps! {
+        edition "the image is whole";
+        glBindFramebuffer(PROOF);
+        glEnable(STENCIL_TEST);
+        glDisable(DEPTH_TEST);
+        glDepthMask(false);
+        glActiveTexture(2);
+        glBindTexture(ANCHOR);
+        glActiveTexture(3);
+        glBindTexture(RESOLVED);
+        glActiveTexture(0);
+        glUseProgram(PLACED);
+        drawScreen();
+        glDisable(STENCIL_TEST);
+    },
+};
+
+/// What the listings take for granted.
+pub const RESOURCES: Resources = Resources {
+    maps: &[
+        (PROOF_DEPTH, Holds::Exactly(Format::Depth32FStencil8)),
+        (ANCHOR, Holds::Exactly(Format::R32Ui)),
+        (RESOLVED, Holds::Exactly(Format::Rgba32F)),
+    ],
+    made: &[BEHIND],
+    framebuffers: &[
+        Framebuffer::new(PROOF, &[IMAGE_COLOR], Some(PROOF_DEPTH)),
+        Framebuffer::new(MARKED, &[ANCHOR], Some(PROOF_DEPTH)),
+        Framebuffer::new(UNSEEN, &[], Some(PROOF_DEPTH)),
+    ],
+    storages: &[MARKS, COUNTS],
+    ..Resources::NONE
+};
+
+/// The depth of the last fragment that was blended, and in its stencil how many failed.
+pub const PROOF_DEPTH: Map = Map::named("proof");
+/// The pixels that failed, side by side: first what lies behind their transparent surfaces, then the result.
+pub const RESOLVED: Map = Map::named("resolved");
+/// The opaque image.
+const BEHIND: Map = Map::named("behind");
+/// How many pixels failed, and in which tiles they are.
+pub const MARKS: Storage = Storage("marks");
+/// How many fragments each of them has.
+pub const COUNTS: Storage = Storage("marked counts");
+/// The pixels that failed.
+pub const FAILED: Query = Query("failed");
+
+const PROOF: Target = Target("proof");
+const MARKED: Target = Target("marked");
+const UNSEEN: Target = Target("nothing but marks");
+const BLENDED: Shader = Shader("verified/surface");
+const MARKER: Shader = Shader("verified/mark");
+const COUNTER: Shader = Shader("verified/count");
+const PLACED: Shader = Shader("verified/place");
