@@ -29,6 +29,7 @@ pub mod records;
 pub mod render;
 pub mod scene;
 pub mod sheets;
+pub mod shortened;
 pub mod slack;
 pub mod slices;
 pub mod small_scenes;
