@@ -27,6 +27,7 @@ pub mod peels;
 pub mod pp_dp;
 pub mod records;
 pub mod render;
+pub mod sampled;
 pub mod scene;
 pub mod sheets;
 pub mod shortened;
