@@ -2,10 +2,10 @@
 // not been resolved yet, again and again.
 //
 // As printed, "not yet resolved" is told by depth alone, so that of several fragments of equal depth those that did not
-// fit into the buffer are skipped in the next pass, and what lies at depth 0 is skipped always. Amended, the
-// order of submission decides between equal depths (errata LX01, LX04). Either way a pass that did not overflow is the last
-// (erratum LX03), unless the text is read literally: then it waits until as many fragments are resolved as the list has, and
-// is given up after more passes than it has fragments.
+// fit into the buffer are skipped in the next pass, and what lies at depth 0 is skipped always. Amended, the order of
+// submission decides between equal depths (errata LX01, LX04). Either way a pass that did not overflow is the last (erratum
+// LX03), unless the text is read literally: then it waits until as many fragments are resolved as the list has, and is
+// given up after more passes than it has fragments.
 // defines: method
 
 // Inserts with insertion sort. Stores at most N elements, drops the last element on overflow.

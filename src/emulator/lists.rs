@@ -337,7 +337,8 @@ impl Run<'_> {
         let (size, last) = (here.size, here.size > self.array / 2);
         if let ListTest::NotBehindMin(key) = test {
             let f = here.fragment.ok_or_else(|| misplaced(line))?;
-            let (min_depth, min_id) = self.peel(here, line)?.min;
+            let min = self.peel(here, line)?.min;
+            let (min_depth, min_id) = min.ok_or_else(|| unset(line))?;
             let tie = f.depth == min_depth && (key == Key::Depth || i64::from(f.order) <= min_id);
             return Ok(f.depth < min_depth || tie);
         }
@@ -375,6 +376,13 @@ impl<'a> Run<'a> {
         let peel = self.pixel(here, line)?.peel.as_mut();
         peel.ok_or_else(|| misplaced(line))
     }
+}
+
+fn unset(line: &ListLine) -> Error {
+    Error::out_of_order(
+        format!("'{line}' reads a min depth that nothing has set"),
+        "set it before the loop",
+    )
 }
 
 fn misplaced(line: &ListLine) -> Error {

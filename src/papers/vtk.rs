@@ -155,8 +155,9 @@ pub const QUERY: Amendment = Amendment {
     test: "v04_the_empty_layer_ends_the_loop",
 };
 
-/// The layer is saved with its depth. Its pixels are counted if there is an occlusion ratio. The query above would not
-/// do: it counts every fragment that lowered the depth, and those are more than the pixels that changed.
+/// The layer is saved with its depth. Its pixels are counted if there is an occlusion ratio; without one the count would
+/// stop nothing, and cost a pass over the screen. The query above would not do: it counts every fragment that lowered the
+/// depth, and those are more than the pixels that changed.
 pub const KEEP_DEPTH: Amendment = Amendment {
     key: "V02",
     kind: Kind::Prose(
@@ -170,8 +171,6 @@ pub const KEEP_DEPTH: Amendment = Amendment {
         num_layers = i + 1;
         if (occlusion_ratio > 0) {
             glColorMask(false, false, false, false);
-            glDepthMask(false);
-            glDisable(DEPTH_TEST);
             glBindFramebuffer(COMPOSITE);
             glUseProgram(OVER);
             glActiveTexture(3);
@@ -180,7 +179,6 @@ pub const KEEP_DEPTH: Amendment = Amendment {
             drawScreen();
             glEndQuery(PIXELS);
             glColorMask(true, true, true, true);
-            glDepthMask(true);
             glUseProgram(PEEL_SURFACE);
             glBindFramebuffer(PEEL);
             pixels = samples(PIXELS);
@@ -213,7 +211,6 @@ pub const UNDER: Amendment = Amendment {
     printed: steps! { save color buffer RGBA as layer i; },
     amended: steps! {
         glBindFramebuffer(ACCUMULATION);
-        glDisable(DEPTH_TEST);
         glEnable(BLEND);
         glBlendFuncSeparate(ONE_MINUS_DST_ALPHA, ONE, ONE_MINUS_DST_ALPHA, ONE);
         glUseProgram(UNDER_LAYER);
@@ -248,11 +245,7 @@ pub const ONLY_THE_LAYER: Amendment = Amendment {
     kind: Kind::Edition,
     place: "Putting It All Together, rendering each layer",
     printed: steps! { glUseProgram(LAYER); },
-    amended: steps! {
-        glUseProgram(OVER);
-        glActiveTexture(1);
-        glBindTexture(OPAQUE_DEPTH);
-    },
+    amended: steps! { glUseProgram(OVER); },
     why: "a layer is where its depth lies before the opaque depth",
     test: "every_pixel_of_a_layer_is_counted_once",
 };

@@ -61,6 +61,7 @@ mod peeling;
 mod peeling_changed;
 mod readings;
 mod slices;
+mod smallest_change;
 mod uploads;
 mod verified_painter;
 mod volumes;

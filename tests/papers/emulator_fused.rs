@@ -3,7 +3,7 @@
 
 use glam::DVec3;
 use onionskin::low_level::emulator::RayHappening::{Begins, Blends, IsCast, Toggles};
-use onionskin::low_level::emulator::{RayRun, RayScene, RayVolume, run_on_rays};
+use onionskin::low_level::emulator::{ListRun, RayRun, RayScene, RayVolume, run_on_rays};
 use onionskin::low_level::fragment::Source;
 use onionskin::low_level::papers::lindholm_2015::components::PP_DP;
 use onionskin::low_level::papers::lindholm_2015::fused::*;
@@ -11,7 +11,7 @@ use onionskin::low_level::scene::Medium;
 use onionskin::low_level::steps::Amendment;
 use onionskin::low_level::steps::pseudo::Pseudocode;
 use onionskin::low_level::steps::pseudo::list::{self, Beginning, ListLine, ListTest, SegmentEnd};
-use onionskin::{Fragment, Rgba};
+use onionskin::{Fragment, Result, Rgba};
 
 /// What two constant volumes look like.
 const FOGS: [(DVec3, f64); 2] = [
@@ -26,13 +26,13 @@ const LEVELS: [f32; 4] = [0.0, 0.4, 0.75, 1.0];
 
 /// Where two volumes are entered, if the eye is not in them, and left; where the pane and the opaque surface are.
 #[derive(Clone, Copy, Debug)]
-struct Case {
+pub(crate) struct Case {
     volumes: [(Option<usize>, usize); 2],
     pane: usize,
     opaque: Option<usize>,
 }
 
-fn cases() -> Vec<Case> {
+pub(crate) fn cases() -> Vec<Case> {
     let ends = 0..LEVELS.len();
     let volumes: Vec<(Option<usize>, usize)> = ends
         .flat_map(|leave| {
@@ -128,6 +128,18 @@ impl Case {
         amendments: &[Amendment<ListLine>],
         array: u32,
     ) -> RayRun {
+        let (lists, mut rays) = self.try_to_run(algorithm, amendments, array).unwrap();
+        assert!(lists.ended);
+        assert_eq!(lists.pixels[0].composited.len(), self.list().len());
+        rays.remove(0)
+    }
+
+    pub(crate) fn try_to_run(
+        &self,
+        algorithm: &Pseudocode<ListLine>,
+        amendments: &[Amendment<ListLine>],
+        array: u32,
+    ) -> Result<(ListRun, Vec<RayRun>)> {
         let media = FOGS.map(|(color, density)| move |_| Medium { color, density });
         let volumes = media.iter().map(|medium| RayVolume { medium, step: 0.3 });
         let scene = RayScene {
@@ -136,11 +148,7 @@ impl Case {
             opaque: self.opaque_depth(),
             volumes: volumes.collect(),
         };
-        let (lists, mut rays) =
-            run_on_rays(algorithm, amendments, &[(self.list(), scene)], array, 20).unwrap();
-        assert!(lists.ended);
-        assert_eq!(lists.pixels[0].composited.len(), self.list().len());
-        rays.remove(0)
+        run_on_rays(algorithm, amendments, &[(self.list(), scene)], array, 20)
     }
 
     /// Whether the light is what it should be, to the roundings of f64.

@@ -35,8 +35,8 @@ pub(super) struct Pixel<'a> {
 pub(super) struct Peel {
     n: usize,
     pub(super) buffer: Vec<Fragment>,
-    /// Min depth and min id. Fragments up to there are skipped.
-    pub(super) min: (f32, i64),
+    /// Min depth and min id, once they are set. Fragments up to there are skipped.
+    pub(super) min: Option<(f32, i64)>,
     /// Whether the subpass has dropped an element.
     pub(super) dropped: bool,
     /// The number of fragments that have been resolved, and the last of them.
@@ -110,7 +110,7 @@ impl Peel {
         Self {
             n: size as usize,
             buffer: Vec::new(),
-            min: (f32::NEG_INFINITY, -1),
+            min: None,
             dropped: false,
             resolved: 0,
             last: None,
@@ -118,10 +118,10 @@ impl Peel {
     }
 
     pub(super) fn start(&mut self, start: Start) {
-        self.min = match start {
+        self.min = Some(match start {
             Start::Zero => (0.0, i64::MAX),
             Start::BeforeAll => (f32::NEG_INFINITY, -1),
-        };
+        });
     }
 
     pub(super) fn insert(&mut self, f: Fragment, key: Key) {
@@ -159,7 +159,7 @@ impl Peel {
                 Key::Depth => i64::MAX,
                 Key::DepthAndId => i64::from(stored.order),
             };
-            self.min = (stored.depth, id);
+            self.min = Some((stored.depth, id));
         }
     }
 }

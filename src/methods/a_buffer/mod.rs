@@ -139,8 +139,12 @@ impl ABuffer {
             ("KEYS_AS_DOUBLES", yes(quirks.quick_doubles)),
             ("FLOAT_COLOR", yes(options.color == RecordColor::Float)),
             ("TERMINATION", options.termination.to_bits()),
-            ("AS_PRINTED", yes(options.is_printed())),
-            ("LITERAL", yes(options.reading == Reading::Literal)),
+            // What differs is ppDP alone: without it, all readings are one program.
+            ("AS_PRINTED", yes(options.pp_dp && options.is_printed())),
+            (
+                "LITERAL",
+                yes(options.pp_dp && options.reading == Reading::Literal),
+            ),
             ("PEEL_ALWAYS", yes(options.pp_dp && !options.pp_ao)),
             ("PP_DP", yes(options.pp_dp)),
             ("MOST_SUBPASSES", options.most_subpasses.unwrap_or(NO_LIMIT)),

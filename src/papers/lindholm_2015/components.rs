@@ -157,7 +157,8 @@ pub const STORE_ID: Amendment<ListLine> = Amendment {
 };
 
 /// Erratum LX03. The printed condition, read as a count, never holds once a fragment is lost. But what is processed is told
-/// by min depth alone: then nothing is left behind min depth as soon as a subpass has dropped nothing.
+/// by min depth alone: then nothing is left behind min depth as soon as a subpass has dropped nothing. With LX01 and LX04
+/// none is lost, and either end will do.
 pub const STOP: Amendment<ListLine> = Amendment {
     key: "LX03",
     kind: Kind::Filling(
