@@ -4,17 +4,13 @@
 
 vec4 surface_color();    // surface/unlit.frag, lit.frag or slice.frag: the primary colour
 
-#include "classic/textures.glsl"
-#include "classic/texture_environment.glsl"
+#include "classic/textured.glsl"
 #include "classic/alpha_test.glsl"
 
 out vec4 color;
 
 void main() {
-    vec4 fragment = surface_color();
-    for (int unit = 0; unit < 4; ++unit) {
-        fragment = texture_environment(unit, fragment, texel(unit));
-    }
+    vec4 fragment = textured(surface_color());
     if (!alpha_test(fragment.a)) {
         discard;
     }

@@ -323,6 +323,7 @@ words! { DepthUnit0, "depth unit",
     Classic "classic" "r/q, compared into alpha",
     ClassicDepthReplace "classic-depth-replace" "The same, with r/q stored as the depth",
     ClassicRectangle "classic-rectangle" "The same, looked up in a rectangle texture, as in VTK",
+    ClassicSgix "classic-sgix" "With r/q stored, too, and compared by SGIX_shadow and register combiners, as a GeForce3 had them",
 }
 
 impl Published for DepthPeelingOptions {

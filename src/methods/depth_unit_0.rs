@@ -3,8 +3,8 @@
 use crate::error::Result;
 use crate::gl::GlMachine;
 use crate::papers::everitt_2001::{
-    ENABLED, LISTING_2, RECTANGLE_FILLINGS, REPLACED, SHADOW_AS_DEPTH_TEST, SHADOW_FILLINGS,
-    WINDOW_Z,
+    COMBINED, ENABLED, LISTING_2, LOOKED_UP_AS_2D, RECTANGLE_FILLINGS, REPLACED, SGIX_LEQUAL,
+    SHADOW_AS_DEPTH_TEST, SHADOW_FILLINGS, WINDOW_Z,
 };
 use crate::steps::{
     Amendment, ClassicDepthUnits, DepthUnits, Listing, Outcome, Reading, Shader, Variables, run,
@@ -23,6 +23,9 @@ pub enum DepthUnit0 {
     ClassicDepthReplace,
     /// The same with the shadow map in a rectangle texture, whose coordinates are texels, as VTK's page has it.
     ClassicRectangle,
+    /// As [`ClassicDepthReplace`](Self::ClassicDepthReplace), with what SGIX_shadow had in 2001: LEQUAL, whose inverse
+    /// register combiners carry from a luminance into alpha.
+    ClassicSgix,
     /// A form of the invariance experiment.
     Experiment(Experiment),
 }
@@ -103,6 +106,15 @@ impl DepthUnit0 {
                 let fillings = read(&RECTANGLE_FILLINGS);
                 run(&SHADOW_AS_DEPTH_TEST, &fillings, size(), &mut units)?;
                 run(listing, amendments, variables, &mut units)
+            }
+            Self::ClassicSgix => {
+                let units = ClassicDepthUnits::new(machine, Shader("classic/depth_replace"));
+                let mut units = units.with_sgix_shadow();
+                run(&LISTING_2, &read(&[ENABLED]), size(), &mut units)?;
+                let fillings = [&read(&[LOOKED_UP_AS_2D])[..], &[COMBINED]].concat();
+                run(&SHADOW_AS_DEPTH_TEST, &fillings, size(), &mut units)?;
+                let amendments = [amendments, &[SGIX_LEQUAL]].concat();
+                run(listing, &amendments, variables, &mut units)
             }
             Self::Experiment(experiment) => {
                 let mut all = amendments.to_vec();

@@ -46,7 +46,23 @@ pub const PAPER: Paper = Paper {
         ("count-marked", Text::Listing(COUNT_MARKED, &[])),
         ("place-resolved", Text::Listing(PLACE_RESOLVED, &[])),
     ],
-    resources: &[&stage::RESOURCES, &RESOURCES],
+    resources: &[
+        &stage::RESOURCES.of(&["verified-painter", "count-marked", "place-resolved"], &[]),
+        &Resources {
+            storages: &[MARKS],
+            ..RESOURCES.of(&["verified-painter"], &[stage::SURFACE, BLENDED, MARKER])
+        },
+        &Resources {
+            made: &[],
+            storages: &[COUNTS],
+            ..RESOURCES.of(&["count-marked"], &[COUNTER])
+        },
+        &Resources {
+            made: &[],
+            storages: &[],
+            ..RESOURCES.of(&["place-resolved"], &[PLACED])
+        },
+    ],
     claims: &[],
     errata: &[],
 };

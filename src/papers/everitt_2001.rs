@@ -17,8 +17,8 @@ pub use invariance::{REPLACED, TRIED, WINDOW_Z};
 pub use listing_1::LISTING_1;
 pub use listing_2::{ENABLED, LISTING_2};
 pub use shadow::{
-    INTO_ALPHA, LOOKED_UP_AS_2D, MODULATED, RECTANGLE_FILLINGS, SHADOW_AS_DEPTH_TEST,
-    SHADOW_FILLINGS, TEXELS,
+    COMBINED, COMBINED_AS_IT_IS, INTO_ALPHA, LOOKED_UP_AS_2D, MODULATED, RECTANGLE_FILLINGS,
+    SGIX_GEQUAL, SGIX_LEQUAL, SHADOW_AS_DEPTH_TEST, SHADOW_FILLINGS, TEXELS,
 };
 
 use super::paper::Paper;
@@ -42,10 +42,14 @@ pub const PAPER: Paper = Paper {
             "shadow-as-depth-test",
             Text::Listing(SHADOW_AS_DEPTH_TEST, &SHADOW_FILLINGS),
         ),
+        (
+            "sgix-shadow",
+            Text::Listing(SHADOW_AS_DEPTH_TEST, &[COMBINED, LOOKED_UP_AS_2D]),
+        ),
         ("composite", Text::Listing(COMPOSITE, &[ALPHA])),
     ],
     resources: &[
-        &Resources::NONE.of(&["listing-2", "shadow-as-depth-test"], &[]),
+        &Resources::NONE.of(&["listing-2", "shadow-as-depth-test", "sgix-shadow"], &[]),
         &stage::RESOURCES.of(&["listing-1"], &[]),
         &vtk::PEELING.of(&["listing-1"], &[stage::PEEL_SURFACE, vtk::OVER]),
         &COMPOSITING.of(&["composite"], &[stage::LAYER]),

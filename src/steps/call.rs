@@ -213,6 +213,9 @@ calls! {
         AlphaFunc: glAlphaFunc(func: Compare, reference: f32)
             => "glAlphaFunc"(func, ref = reference.to_string());
         TexEnv: glTexEnvi(target: TexEnvName, pname: TexEnvName, param: TexEnvValue);
+        /// `glCombinerInputNV` for the alpha of the first general combiner. Colours go through as they are.
+        CombinerInput: glCombinerInputNV(variable: CombinerVariable, input: CombinerRegister, mapping: CombinerMapping, component: CombinerComponent)
+            => "glCombinerInputNV"(stage = "GL_COMBINER0_NV", portion = "GL_ALPHA", variable, input, mapping, componentUsage = component);
         /// `glTexParameteri` with `GL_DEPTH_TEXTURE_MODE`.
         DepthTextureMode: depth_texture_mode(mode: DepthTextureMode)
             => "glTexParameteri"(target = "GL_TEXTURE_2D", pname = "GL_DEPTH_TEXTURE_MODE", param = mode);

@@ -1,8 +1,8 @@
 //! The OpenGL of 2001: calls that core profiles no longer have, under their own names.
 //!
 //! Alpha test, texture coordinate generation and texture matrices, depth textures and their comparison (ARB_shadow,
-//! SGIX_shadow before it), rectangle textures, the texture environment, and the part of NV_texture_shader that
-//! Everitt's Listing 2 uses. `gl::GlMachine` emulates these calls in GLSL; `gl::FixedFunction` gives them to a
+//! SGIX_shadow before it), rectangle textures, the texture environment, the part of NV_texture_shader that Everitt's
+//! Listing 2 uses, and as much of NV_register_combiners as carries a texture's colour into alpha. `gl::GlMachine` emulates these calls in GLSL; `gl::FixedFunction` gives them to a
 //! compatibility profile that still has them.
 
 use super::argument::Argument;
@@ -15,6 +15,37 @@ constants! {
         Texture2D = "TEXTURE_2D",
         TextureRectangle = "TEXTURE_RECTANGLE_NV",
         TextureShader = "TEXTURE_SHADER_NV",
+        RegisterCombiners = "REGISTER_COMBINERS_NV",
+    }
+
+    /// An input of the first general combiner. Its result is the product of A and B.
+    CombinerVariable {
+        A = "VARIABLE_A_NV",
+        B = "VARIABLE_B_NV",
+    }
+
+    /// A register that a combiner reads.
+    CombinerRegister {
+        Zero = "ZERO",
+        PrimaryColor = "PRIMARY_COLOR_NV",
+        Texture0 = "TEXTURE0_ARB",
+        Texture1 = "TEXTURE1_ARB",
+        Texture2 = "TEXTURE2_ARB",
+        Texture3 = "TEXTURE3_ARB",
+    }
+
+    /// What a combiner makes of what it reads.
+    CombinerMapping {
+        /// max(0, x)
+        Identity = "UNSIGNED_IDENTITY_NV",
+        /// 1 - min(max(x, 0), 1)
+        Invert = "UNSIGNED_INVERT_NV",
+    }
+
+    /// The part of a register that an alpha combiner reads.
+    CombinerComponent {
+        Blue = "BLUE",
+        Alpha = "ALPHA",
     }
 
     /// The kind of texture that a unit looks up.

@@ -13,11 +13,11 @@
 
 use super::call::{Call, ClassicCall};
 use super::classic::{ClassicCapability, TexEnvName, TexEnvValue, TextureTarget};
-use super::constants::Capability;
+use super::constants::{Capability, Compare};
 use super::depth_units::DepthUnits;
 use super::names::{Map, Query, Shader};
 use super::walk::Machine;
-use crate::error::Result;
+use crate::error::{Error, Result};
 
 /// A machine with two depth units, made from one with classic calls.
 #[derive(Debug)]
@@ -28,6 +28,8 @@ pub struct ClassicDepthUnits<'a, M> {
     fixed_functions: Shader,
     /// The texture that the shadow map is looked up in.
     target: TextureTarget,
+    /// Whether the comparison is SGIX_shadow's, which has LEQUAL and GEQUAL only.
+    sgix_shadow: bool,
     texture_unit: u32,
     /// The shader operation that texture unit 3 has been given.
     operation: Option<TexEnvValue>,
@@ -47,6 +49,7 @@ impl<'a, M: Machine> ClassicDepthUnits<'a, M> {
             active: 1,
             fixed_functions,
             target: TextureTarget::Texture2D,
+            sgix_shadow: false,
             texture_unit: 0,
             operation: None,
         }
@@ -57,6 +60,15 @@ impl<'a, M: Machine> ClassicDepthUnits<'a, M> {
     pub fn with_rectangles(self) -> Self {
         Self {
             target: TextureTarget::Rectangle,
+            ..self
+        }
+    }
+
+    /// The same with the comparisons of SGIX_shadow alone. ARB_shadow and EXT_shadow_funcs of 2002 have the others.
+    #[must_use]
+    pub fn with_sgix_shadow(self) -> Self {
+        Self {
+            sgix_shadow: true,
             ..self
         }
     }
@@ -91,6 +103,16 @@ impl<'a, M: Machine> ClassicDepthUnits<'a, M> {
                 self.classic(ClassicCall::BindTexture {
                     target: self.target,
                     texture,
+                })
+            }
+            Call::DepthFunc { func }
+                if self.sgix_shadow && !matches!(func, Compare::Lequal | Compare::Gequal) =>
+            {
+                Err(Error::CannotPerform {
+                    machine: "SGIX_shadow",
+                    call: call.to_string(),
+                    why: "it compares by GL_LEQUAL and GL_GEQUAL only",
+                    remedy: "keep what GL_LEQUAL does not pass, or take the extensions of 2002",
                 })
             }
             Call::DepthFunc { func } => self.classic(ClassicCall::TextureCompareFunc { func }),

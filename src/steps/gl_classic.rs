@@ -49,3 +49,7 @@ pub const fn bind_texture_rectangle(texture: Map) -> Call {
 pub const fn enable_texture_shader() -> Call {
     enable_classic(ClassicCapability::TextureShader)
 }
+
+pub const fn enable_register_combiners() -> Call {
+    enable_classic(ClassicCapability::RegisterCombiners)
+}

@@ -56,7 +56,8 @@ pub use amend::{Met, Ran, Scope, Spelling, Statement};
 pub use call::{Call, ClassicCall};
 pub use check::{Known, check};
 pub use classic::{
-    ClassicCapability, DepthTextureMode, MatrixMode, TexEnvName, TexEnvValue, TextureTarget,
+    ClassicCapability, CombinerComponent, CombinerMapping, CombinerRegister, CombinerVariable,
+    DepthTextureMode, MatrixMode, TexEnvName, TexEnvValue, TextureTarget,
 };
 pub use classic_depth_units::ClassicDepthUnits;
 pub use constants::{BlendEquation, BlendFactor, Buffers, Capability, Compare, Objects, StencilOp};

@@ -4,13 +4,14 @@
 use glam::DMat4;
 use onionskin::low_level::gl::ClassicState;
 use onionskin::low_level::papers::everitt_2001::{
-    ENABLED, INTO_ALPHA, LISTING_2, LOOKED_UP_AS_2D, MODULATED, TEXELS,
+    COMBINED_AS_IT_IS, ENABLED, INTO_ALPHA, LISTING_2, LOOKED_UP_AS_2D, MODULATED, SGIX_GEQUAL,
+    SGIX_LEQUAL, TEXELS,
 };
 use onionskin::low_level::steps::{
     Amendment, Call, ClassicCall, Recorder, TexEnvValue, Variables, gl::*, run,
 };
 use onionskin::options::{Compositing, DepthPeelingOptions, DepthUnit0, Reading};
-use onionskin::{Context, Layer, steps};
+use onionskin::{Context, Layer, Method, Renderer, steps};
 
 use crate::kit::changed::changed;
 use crate::kit::everitt_scenes::{peel, soup_scene};
@@ -157,6 +158,47 @@ pub(crate) fn ex04_a_luminance_leaves_alpha_as_it_is_and_nothing_is_peeled() {
         let of = |without| layers(&context, unit, Reading::Amended, without);
         let (luminance, alpha) = (of(WITHOUT), of(&[]));
         assert!(nothing_is_peeled(&luminance) && !nothing_is_peeled(&alpha));
+    }
+}
+
+/// What a GeForce3 had in 2001: LEQUAL, a luminance, and register combiners that carry its inverse into alpha. The layers are
+/// those of GREATER, bit for bit, ties included.
+#[test]
+pub(crate) fn ex04_sgix_shadow_peels_by_what_lequal_does_not_pass() {
+    const GREATER_AS_PRINTED: &[Amendment] = &[changed(SGIX_LEQUAL.printed, SGIX_LEQUAL.printed)];
+    let context = Context::headless().unwrap();
+    let of = |unit| layers(&context, unit, Reading::Amended, &[]);
+    let sgix = of(DepthUnit0::ClassicSgix);
+    assert!(sgix.len() == 3 && !nothing_is_peeled(&sgix));
+    for (a, b) in sgix.iter().zip(&of(DepthUnit0::ClassicDepthReplace)) {
+        assert!(same_depths(a, b) && a.color == b.color);
+    }
+    // GREATER is none of SGIX_shadow's.
+    let printed = DepthPeelingOptions {
+        depth_unit_0: DepthUnit0::ClassicSgix,
+        maximum_number_of_peels: 3,
+        amendments: GREATER_AS_PRINTED,
+        ..DepthPeelingOptions::default()
+    };
+    let scene = soup_scene(11);
+    let [width, height] = scene.size;
+    let mut renderer = Renderer::new(&context, width, height).unwrap();
+    let refused = renderer.render(&scene, &Method::DepthPeeling(printed));
+    let error = refused.unwrap_err().to_string();
+    assert!(error.contains("SGIX_shadow cannot perform"), "{error}");
+}
+
+/// Without an inverse, what SGIX_shadow passes is drawn: by GEQUAL what lies at the depth that was peeled, and by LEQUAL what
+/// lies before it as well.
+#[test]
+pub(crate) fn ex04_by_gequal_equal_depths_pass_and_every_layer_is_the_first() {
+    const GEQUAL: &[Amendment] = &[SGIX_GEQUAL, COMBINED_AS_IT_IS];
+    const LEQUAL: &[Amendment] = &[SGIX_LEQUAL, COMBINED_AS_IT_IS];
+    let context = Context::headless().unwrap();
+    for amendments in [GEQUAL, LEQUAL] {
+        let unit = DepthUnit0::ClassicSgix;
+        let same = layers(&context, unit, Reading::Amended, amendments);
+        assert!(nothing_is_peeled(&same));
     }
 }
 

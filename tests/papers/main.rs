@@ -23,6 +23,7 @@ mod emulator_figure_2;
 mod emulator_fused;
 mod emulator_lists;
 mod emulator_section_6;
+mod emulator_sgix_shadow;
 mod emulator_verified_painter;
 mod errata_carr;
 mod errata_in_print;

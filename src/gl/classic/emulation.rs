@@ -300,6 +300,18 @@ fn set_uniforms(gl: &glow::Context, program: glow::Program, state: &ClassicState
         gl.uniform_1_i32_slice(at("base_format").as_ref(), formats);
         gl.uniform_1_i32_slice(at("env_mode").as_ref(), &modes);
         gl.uniform_1_i32(
+            at("register_combiners").as_ref(),
+            i32::from(state.register_combiners),
+        );
+        let combiner = state.combiner.map(|input| {
+            [
+                input.register as i32,
+                input.mapping as i32,
+                input.component as i32,
+            ]
+        });
+        gl.uniform_3_i32_slice(at("combiner").as_ref(), combiner.as_flattened());
+        gl.uniform_1_i32(
             at("alpha_func").as_ref(),
             (compare(func) - glow::NEVER) as i32,
         );

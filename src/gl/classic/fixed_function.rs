@@ -137,9 +137,9 @@ impl<'m, 'c> FixedFunction<'m, 'c> {
                     };
                     (f.tex_env)(TEXTURE_ENV, TEXTURE_ENV_MODE, mode as c_int);
                 }
-                ClassicCall::TexEnv { .. } | ClassicCall::BindUnsignedHilo => {
-                    return Err(no_texture_shader(*call));
-                }
+                ClassicCall::TexEnv { .. }
+                | ClassicCall::BindUnsignedHilo
+                | ClassicCall::CombinerInput { .. } => return Err(of_a_geforce3(*call)),
                 ClassicCall::DepthTextureMode { mode } => {
                     let mode = match mode {
                         DepthTextureMode::Luminance => LUMINANCE,
@@ -307,15 +307,17 @@ fn capability(call: ClassicCall, cap: ClassicCapability) -> Result<u32> {
         ClassicCapability::AlphaTest => Ok(ALPHA_TEST),
         ClassicCapability::Texture2D => Ok(glow::TEXTURE_2D),
         ClassicCapability::TextureRectangle => Ok(glow::TEXTURE_RECTANGLE),
-        ClassicCapability::TextureShader => Err(no_texture_shader(call)),
+        ClassicCapability::TextureShader | ClassicCapability::RegisterCombiners => {
+            Err(of_a_geforce3(call))
+        }
     }
 }
 
-fn no_texture_shader(call: ClassicCall) -> Error {
+fn of_a_geforce3(call: ClassicCall) -> Error {
     Error::CannotPerform {
         machine: "OpenGL",
         call: Call::Classic(call).to_string(),
-        why: "no driver of today has NV_texture_shader",
+        why: "no driver of today has NV_texture_shader or NV_register_combiners",
         remedy: "the emulation has it: give the call to GlMachine",
     }
 }

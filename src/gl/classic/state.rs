@@ -4,8 +4,8 @@ use glam::{DMat4, DVec4};
 
 use crate::error::{Error, Result};
 use crate::steps::{
-    Call, ClassicCall, ClassicCapability, Compare, DepthTextureMode, Map, MatrixMode, TexEnvName,
-    TexEnvValue, TextureTarget,
+    Call, ClassicCall, ClassicCapability, CombinerComponent, CombinerMapping, CombinerRegister,
+    Compare, DepthTextureMode, Map, MatrixMode, TexEnvName, TexEnvValue, TextureTarget,
 };
 
 /// The number of texture units, as on a GeForce3.
@@ -24,10 +24,25 @@ pub struct ClassicState {
     pub units: [TextureUnit; UNITS],
     /// `GL_TEXTURE_SHADER_NV`: the units' shader operations say what is looked up, instead of what is enabled.
     pub texture_shader: bool,
+    /// `GL_REGISTER_COMBINERS_NV`: the combiner makes alpha, and the units' environments have no say.
+    pub register_combiners: bool,
+    /// The first general combiner's A and B, of which alpha is the product.
+    pub combiner: [CombinerInput; 2],
     /// Whether fragments are tested by their alpha.
     pub alpha_test: bool,
     /// The comparison and the reference.
     pub alpha_func: (Compare, f32),
+}
+
+/// What a combiner reads.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct CombinerInput {
+    /// The register.
+    pub register: CombinerRegister,
+    /// What is made of it.
+    pub mapping: CombinerMapping,
+    /// The part of the register.
+    pub component: CombinerComponent,
 }
 
 /// A texture unit. In GL the depth mode and the comparison belong to a texture; here they are kept with the unit to
@@ -78,6 +93,20 @@ impl ClassicState {
             active: 0,
             units: [unit; UNITS],
             texture_shader: false,
+            register_combiners: false,
+            // The primary colour's alpha, times one.
+            combiner: [
+                CombinerInput {
+                    register: CombinerRegister::PrimaryColor,
+                    mapping: CombinerMapping::Identity,
+                    component: CombinerComponent::Alpha,
+                },
+                CombinerInput {
+                    register: CombinerRegister::Zero,
+                    mapping: CombinerMapping::Invert,
+                    component: CombinerComponent::Alpha,
+                },
+            ],
             alpha_test: false,
             alpha_func: (Compare::Always, 0.0),
         }
@@ -161,6 +190,18 @@ impl ClassicState {
                 TexEnvName::PreviousTextureInput if param == TexEnvValue::Unit(0) => {}
                 _ => return wrong("this is not emulated"),
             },
+            ClassicCall::CombinerInput {
+                variable,
+                input,
+                mapping,
+                component,
+            } => {
+                self.combiner[variable as usize] = CombinerInput {
+                    register: input,
+                    mapping,
+                    component,
+                };
+            }
             ClassicCall::DepthTextureMode { mode } => self.unit().depth_mode = mode,
             ClassicCall::TextureCompareMode { on } => self.unit().compare = on,
             ClassicCall::TextureCompareFunc { func } => self.unit().compare_func = func,
@@ -219,6 +260,7 @@ impl ClassicState {
             ClassicCapability::Texture2D => self.unit().two_d.1 = on,
             ClassicCapability::TextureRectangle => self.unit().rectangle.1 = on,
             ClassicCapability::TextureShader => self.texture_shader = on,
+            ClassicCapability::RegisterCombiners => self.register_combiners = on,
         }
     }
 

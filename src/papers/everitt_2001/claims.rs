@@ -40,7 +40,7 @@ claims! {
         evidence: "The lookup passes exactly the fragments that the depth comparison passes, for all eight \
                    comparisons and to the last bit. Core profiles have no alpha test, so it is emulated, and the \
                    emulation makes the pixels of the real fixed functions. GREATER and a result in alpha are not \
-                   what the extensions of 2001 had (EX04).",
+                   what the extensions of 2001 had. What they had peels the same layers in another way (EX04).",
         tests: [
             gl::claims_everitt_depth_units::e04_a_shadow_lookup_passes_exactly_what_the_depth_comparison_passes,
             gl::claims_everitt_depth_units::e04_the_comparison_is_of_every_bit_of_the_depth,

@@ -35,12 +35,16 @@ errata! {
     EX04 ("Shadow Mapping; Listing 1") Gap {
         printed: "Depth unit 0 tests GREATER, and the SGIX_shadow extension compares.",
         executed: "SGIX_shadow compares by LEQUAL and GEQUAL only, and its result is a luminance, which leaves alpha \
-                   at 1. GEQUAL in place of GREATER peels nothing: every layer is the first one.",
-        change: "Compare by LEQUAL and keep what fails, or use the extensions of 2002 (ARB_shadow, \
-                 EXT_shadow_funcs), as is done here.",
+                   at 1. GEQUAL in place of GREATER passes equal depths, so it peels nothing: every layer is the \
+                   first one.",
+        change: "Compare by LEQUAL, and carry the inverse into alpha by register combiners, or use the extensions of \
+                 2002 (ARB_depth_texture, ARB_shadow, EXT_shadow_funcs). Both give the same layers.",
         tests: [
             gl::errata_everitt::ex04_gequal_peels_nothing_and_not_lequal_peels,
             gl::errata_everitt::ex04_a_luminance_leaves_alpha_as_it_is_and_nothing_is_peeled,
+            gl::errata_everitt::ex04_sgix_shadow_peels_by_what_lequal_does_not_pass,
+            gl::errata_everitt::ex04_by_gequal_equal_depths_pass_and_every_layer_is_the_first,
+            papers::emulator_sgix_shadow::ex04_every_peel_by_gequal_or_lequal_finds_the_nearest_again,
         ],
     }
     EX05 ("An Invariance Issue") Name {

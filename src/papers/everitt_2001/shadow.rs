@@ -8,7 +8,10 @@
 //! otherwise. The fillings do.
 
 use crate::steps;
-use crate::steps::{Amendment, Dialect, Kind, Listing, Number, gl::*};
+use crate::steps::{
+    Amendment, CombinerComponent, CombinerMapping, CombinerRegister, CombinerVariable, Dialect,
+    Kind, Listing, Number, gl::*,
+};
 
 /// Before the peels: texture unit 3 compares r/q with the shadow map that is bound to it.
 pub const SHADOW_AS_DEPTH_TEST: Listing = Listing {
@@ -104,6 +107,54 @@ pub const TEXELS: Amendment = Amendment {
     },
     why: "Listing 2 looks up a rectangle texture, whose coordinates count texels",
     test: "ex03_with_coordinates_from_0_to_1_the_printed_rectangle_does_not_peel",
+};
+
+/// In place of [`INTO_ALPHA`] and [`MODULATED`], with [`SGIX_LEQUAL`]: what a GeForce3 had in 2001. The luminance's inverse goes
+/// into alpha through register combiners, so what SGIX_shadow does not pass is kept, which is what lies behind.
+pub const COMBINED: Amendment = Amendment {
+    key: "EX04",
+    kind: Kind::Edition,
+    place: "Shadow Mapping as Depth Test",
+    printed: steps! { compare_r_to_texture(true); },
+    amended: steps! {
+        compare_r_to_texture(true);
+        enable_register_combiners();
+        glCombinerInputNV(CombinerVariable::A, CombinerRegister::Texture3, CombinerMapping::Invert, CombinerComponent::Blue);
+        glCombinerInputNV(CombinerVariable::B, CombinerRegister::PrimaryColor, CombinerMapping::Identity, CombinerComponent::Alpha);
+    },
+    why: "SGIX_shadow's result is a luminance; register combiners carry its inverse into alpha",
+    test: "ex04_sgix_shadow_peels_by_what_lequal_does_not_pass",
+};
+
+/// The same for [`SGIX_GEQUAL`]: the luminance as it is.
+pub const COMBINED_AS_IT_IS: Amendment = Amendment {
+    amended: steps! {
+        compare_r_to_texture(true);
+        enable_register_combiners();
+        glCombinerInputNV(CombinerVariable::A, CombinerRegister::Texture3, CombinerMapping::Identity, CombinerComponent::Blue);
+        glCombinerInputNV(CombinerVariable::B, CombinerRegister::PrimaryColor, CombinerMapping::Identity, CombinerComponent::Alpha);
+    },
+    why: "SGIX_shadow's result is a luminance; register combiners carry it into alpha",
+    test: "ex04_by_gequal_equal_depths_pass_and_every_layer_is_the_first",
+    ..COMBINED
+};
+
+/// To Listing 1, with [`COMBINED`]: SGIX_shadow has no GREATER. What LEQUAL does not pass is what GREATER passes.
+pub const SGIX_LEQUAL: Amendment = Amendment {
+    key: "EX04",
+    kind: Kind::Edition,
+    place: "Listing 1, set depth func to GREATER",
+    printed: steps! { set depth func to GREATER; },
+    amended: steps! { set depth func to LEQUAL; },
+    why: "SGIX_shadow compares by LEQUAL and GEQUAL only",
+    test: "ex04_sgix_shadow_peels_by_what_lequal_does_not_pass",
+};
+
+/// The same without an inverse. A fragment passes the comparison with its own depth, so nothing is peeled.
+pub const SGIX_GEQUAL: Amendment = Amendment {
+    amended: steps! { set depth func to GEQUAL; },
+    test: "ex04_by_gequal_equal_depths_pass_and_every_layer_is_the_first",
+    ..SGIX_LEQUAL
 };
 
 const RESULTS_IN_ALPHA: &str = "Shadow Mapping as Depth Test: \"we write the results of the shadow mapping comparison to fragment alpha\"";
