@@ -6,15 +6,14 @@ use onionskin::{Method, Result, Scene};
 use super::chosen::Chosen;
 use super::slices::Slices;
 
-/// The default method.
-const OF_SURFACES: &str = "depth-peeling";
-/// The default method for a scene with volumes, unless an option is given that only the other default has.
-const OF_VOLUMES: &str = "dfb+ppdp";
+/// The method that options belong to if none is named.
+const WITH_OPTIONS: &str = "depth-peeling";
 
 #[derive(Args)]
 pub(super) struct MethodOptions {
-    /// The method, such as exact, painter or ffb; `onionskin methods` describes all of them [default: depth-peeling,
-    /// and dfb+ppdp for scenes with volumes]
+    /// The method, such as exact, painter or ffb; `onionskin methods` describes all of them [default: the
+    /// quickest exact one, which is verified-painter, and dfb+ppdp for scenes with volumes; depth-peeling if one of its
+    /// options is given]
     #[arg(short, long)]
     method: Option<String>,
     #[command(flatten)]
@@ -24,27 +23,23 @@ pub(super) struct MethodOptions {
 }
 
 impl MethodOptions {
-    /// The method with its options, or depth peeling if none is named.
+    /// The method with its options. If none is named, it is depth peeling.
     ///
     /// # Errors
     /// If the method does not exist, or does not have an option.
     pub(super) fn method(&self) -> Result<Method> {
-        let method = self.method.as_deref().unwrap_or(OF_SURFACES).parse()?;
+        let method = self.method.as_deref().unwrap_or(WITH_OPTIONS).parse()?;
         let method = self.chosen.apply_to(method)?;
         self.slices.check(&method)?;
         Ok(method)
     }
 
-    /// `method`, or the default for the scene's volumes if no method was named and no option that only depth peeling
-    /// has was given.
-    ///
-    /// # Errors
-    /// None, because the method is in the registry.
-    pub(super) fn for_scene(&self, method: Method, scene: &Scene) -> Result<Method> {
+    /// `method`, or the quickest exact one for the scene if neither a method nor an option was given.
+    pub(super) fn for_scene(&self, method: Method, scene: &Scene) -> Method {
         let asked = self.method.is_some() || self.slices.is_given() || self.chosen.is_any();
-        if asked || scene.volumes.is_empty() {
-            return Ok(method);
+        match asked {
+            true => method,
+            false => Method::automatic(scene).method,
         }
-        OF_VOLUMES.parse()
     }
 }

@@ -1,6 +1,6 @@
 //! The JSON object of a frame, for `render --json` and `compare --json`.
 
-use onionskin::low_level::methods::ABufferCounts;
+use onionskin::low_level::methods::{ABufferCounts, VerifiedCounts};
 use onionskin::{Comparison, Frame, Result, Stats};
 use serde::Serialize;
 
@@ -29,6 +29,8 @@ pub(super) struct Record<'a> {
     slices: Option<u32>,
     #[serde(flatten)]
     a_buffer: Option<Lists>,
+    #[serde(flatten)]
+    verified: Option<Unproved>,
     ms: f64,
     max_error: f64,
     rms_error: f64,
@@ -89,6 +91,26 @@ impl Lists {
     }
 }
 
+/// What only the verified painter has.
+#[derive(Serialize)]
+struct Unproved {
+    marked_pixels: u64,
+    list_fragments: u64,
+    list_triangles: u64,
+    list_bytes: u64,
+}
+
+impl Unproved {
+    fn new(counts: &VerifiedCounts) -> Self {
+        Self {
+            marked_pixels: counts.marked_pixels,
+            list_fragments: counts.list_fragments,
+            list_triangles: counts.list_triangles,
+            list_bytes: counts.list_bytes,
+        }
+    }
+}
+
 impl<'a> Record<'a> {
     pub(super) fn new(scene: &'a str, stats: &'a Stats, error: &Errors) -> Self {
         Self {
@@ -107,6 +129,7 @@ impl<'a> Record<'a> {
             bytes: stats.bytes,
             slices: stats.slices,
             a_buffer: stats.a_buffer.as_ref().map(Lists::new),
+            verified: stats.verified.as_ref().map(Unproved::new),
             ms: stats.ms,
             max_error: error.real.max,
             rms_error: error.real.rms,

@@ -52,7 +52,7 @@ impl Render {
         check_writable(&self.output)?;
         let scene = self.setup.scene()?;
         self.method.slices.check_scene(&scene)?;
-        let method = self.method.for_scene(method, &scene)?;
+        let method = self.method.for_scene(method, &scene);
         let context = self.setup.gl.context()?;
         let mut renderer = self
             .method

@@ -55,6 +55,7 @@ every_method!(declare);
 
 mod algorithm;
 mod allocate_maps;
+mod automatic;
 mod batches;
 mod buffer_access;
 mod choice;
@@ -84,6 +85,7 @@ mod vtk_settings;
 
 pub use algorithm::{Algorithm, Composited, DrawOrder, Drawn, Setup};
 pub use allocate_maps::allocate_maps;
+pub use automatic::Automatic;
 pub use batches::begin_batch;
 pub use choice::{Choice, Takes};
 pub use complexity::{Bin, Complexity, CountBy};

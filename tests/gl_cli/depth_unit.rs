@@ -113,6 +113,8 @@ fn a_depth_format_that_gets_stuck_does_not_hang() {
         "sheets.toml",
         "-o",
         "out.png",
+        "-m",
+        "depth-peeling",
         "--depth",
         "d24",
         "--json",

@@ -12,7 +12,7 @@ use onionskin::{Image, Method, Rgba, registry};
 fn render_writes_the_scenes_image_as_png() {
     let desk = desk();
     desk.result(&["render", "sheets.toml", "-o", "s.png"]);
-    let frame = library(&desk, "sheets.toml", None, &peeling(Default::default()));
+    let frame = library(&desk, "sheets.toml", None, &Method::VerifiedPainter);
     assert_eq!([frame.image.width, frame.image.height], [40, 30]);
     holds_the_image_in_8_bits(&desk, "s.png", &frame.image);
     let background = frame
@@ -30,7 +30,7 @@ fn render_writes_the_scenes_image_as_png() {
 fn render_writes_the_scenes_image_as_exr_to_the_bit() {
     let desk = desk();
     desk.result(&["render", "sheets.toml", "-o", "s.exr"]);
-    let frame = library(&desk, "sheets.toml", None, &peeling(Default::default()));
+    let frame = library(&desk, "sheets.toml", None, &Method::VerifiedPainter);
     assert!(Image::load(desk.path("s.exr")).unwrap() == frame.image);
 }
 
@@ -38,8 +38,7 @@ fn render_writes_the_scenes_image_as_exr_to_the_bit() {
 fn render_writes_a_models_image_at_the_size_that_is_asked_for() {
     let desk = desk();
     desk.result(&["render", "glass.obj", "-o", "g.exr", "--size", "24x18"]);
-    let method = peeling(Default::default());
-    let frame = library(&desk, "glass.obj", Some([24, 18]), &method);
+    let frame = library(&desk, "glass.obj", Some([24, 18]), &Method::VerifiedPainter);
     assert_eq!([frame.image.width, frame.image.height], [24, 18]);
     assert!(frame.stats.fragments > 0, "{}", frame.stats);
     assert!(Image::load(desk.path("g.exr")).unwrap() == frame.image);
@@ -57,8 +56,7 @@ fn a_model_is_rendered_at_1024_by_768_if_no_size_is_asked_for() {
 fn an_image_of_one_pixel_is_rendered() {
     let desk = desk();
     desk.result(&["render", "sheets.toml", "-o", "s.exr", "--size", "1x1"]);
-    let method = peeling(Default::default());
-    let frame = library(&desk, "sheets.toml", Some([1, 1]), &method);
+    let frame = library(&desk, "sheets.toml", Some([1, 1]), &Method::VerifiedPainter);
     assert!(Image::load(desk.path("s.exr")).unwrap() == frame.image);
 }
 
@@ -101,7 +99,7 @@ fn blending_in_the_wrong_order_is_another_image() {
 fn render_prints_the_frames_statistics() {
     let desk = desk();
     let out = desk.result(&["render", "sheets.toml", "-o", "s.png"]);
-    let frame = library(&desk, "sheets.toml", None, &peeling(Default::default()));
+    let frame = library(&desk, "sheets.toml", None, &Method::VerifiedPainter);
     let but_the_time = |text: &str| -> Vec<String> {
         let lines = text.lines().filter(|line| !line.starts_with("time "));
         lines.map(str::to_owned).collect()
@@ -116,17 +114,19 @@ fn render_as_json_prints_one_object_with_the_frames_counts() {
     let answer = desk.run(&["render", "sheets.toml", "-o", "s.png", "--json"]);
     assert_eq!((answer.code, answer.err.as_str()), (0, ""), "{answer}");
     let object = object(&answer);
-    let stats = library(&desk, "sheets.toml", None, &peeling(Default::default())).stats;
+    let stats = library(&desk, "sheets.toml", None, &Method::VerifiedPainter).stats;
     for key in KEYS {
         assert!(object.contains_key(key), "no {key}: {answer}");
     }
     assert_eq!(object["scene"], "sheets");
-    assert_eq!(object["method"], "depth-peeling");
+    // The quickest exact one.
+    assert_eq!(object["method"], "verified-painter");
+    assert_eq!(object["marked_pixels"], 0);
     assert_eq!(object["iterations"], stats.iterations);
     assert_eq!(object["geometry_passes"], stats.geometry_passes);
     assert_eq!(object["fragments"], stats.fragments);
     assert_eq!(object["lost"], 0);
-    assert_eq!(object["stopped"], "empty layer");
+    assert_eq!(object["stopped"], "done");
     assert_eq!(object["bytes"], stats.bytes);
     assert!(object["ms"].as_f64().unwrap() > 0.0);
     assert!(object["max_error"].as_f64().unwrap() <= F32, "{answer}");
