@@ -1,5 +1,6 @@
-//! The verified painter, this edition's own: triangles are sorted approximately, back to front, and blended over one another in one pass,
-//! in which the depth test proves at which pixels the order was right. The few other pixels get fragment lists.
+//! The verified painter, this edition's own: triangles are sorted approximately, back to front, and blended over one
+//! another in one pass, in which the depth test proves at which pixels the order was right. The other pixels get fragment
+//! lists.
 //!
 //! [`edition`](crate::low_level::papers::edition) has the listing and the proof. A frame has four parts:
 //!
@@ -8,7 +9,10 @@
 //! 2. One pass blends them, and marks in the stencil buffer where their order was wrong.
 //! 3. A pass over the screen numbers the marked pixels, and says in which tiles they lie. If there are none, that is all.
 //! 4. The triangles that touch these tiles are drawn again, in the order of submission, into lists for the marked pixels
-//!    alone: dynamic buffers, resolved with ppAO and ppDP (Lindholm et al. 2015).
+//!    alone: dynamic buffers, resolved with ppAO and ppDP (Lindholm et al. 2015). What comes out is put in its place.
+//!
+//! Triangles that are much longer along the view than their distance from others have no right order, and then the pixels
+//! that they cover are marked: a cone through many slices, for one.
 //!
 //! Excludes: multisampling; volumes, unless they are drawn as slices.
 

@@ -3,14 +3,14 @@
 use glam::DVec3;
 use onionskin::generate::{Soup, TorusKnot, soup, torus_knot};
 use onionskin::low_level::emulator::Emulator;
-use onionskin::low_level::gl::{Geometry, GlMachine};
+use onionskin::low_level::gl::{Geometry, GlMachine, Texels, largest_storage};
 use onionskin::low_level::methods::{VerifiedCounts, allocate_maps};
 use onionskin::low_level::papers::edition::{BLEND_AND_PROVE, PROOF_DEPTH, RESOURCES};
 use onionskin::low_level::papers::stage;
 use onionskin::low_level::steps::{Variables, run};
 use onionskin::{Comparison, Context, Format, Frame, Mesh, Method, Renderer, Rgba, Scene, Shading};
 
-use crate::kit::bounds::F32;
+use crate::kit::bounds::{self, F32};
 use crate::kit::chance::Chance;
 use crate::kit::changed::{Change, with_change};
 use crate::kit::lockstep::{LockStep, Watched, surfaces};
@@ -112,6 +112,37 @@ fn what_is_marked_is_what_is_tied() {
     assert_eq!(frame.stats.geometry_passes, 3);
     let compared = Comparison::new(&frame.image, &stack.expected(), F32).unwrap();
     assert!(compared.max <= F32, "{}", compared.max);
+}
+
+/// Each quad of a stack twice: every pixel is marked, and llvmpipe's largest buffer (128 MiB) does not hold the lists of
+/// all, which take their turns.
+#[test]
+fn lists_that_do_not_fit_into_a_buffer_take_turns() {
+    let context = Context::headless().unwrap();
+    let scene = |size| {
+        let mut scene = example("sheets64", size);
+        let again = scene.meshes[0].clone();
+        scene.meshes.push(again);
+        scene
+    };
+    let frame = render(&context, &scene([240, 180]), &METHOD);
+    let fragments = 240 * 180 * 128;
+    assert_eq!(counts(&frame).list_fragments, fragments);
+    if largest_storage(&context, Texels::Rgba32Ui) < fragments * 32 {
+        assert!(frame.stats.geometry_passes > 3, "{}", frame.stats);
+    }
+    // Every pixel has the same fragments.
+    let exact = render(&context, &scene([8, 6]), &Method::Exact)
+        .image
+        .pixels[27];
+    let bound = bounds::composited(128) as f32;
+    for pixel in &frame.image.pixels {
+        let channels = pixel.to_array().into_iter().zip(exact.to_array());
+        assert!(
+            channels.into_iter().all(|(a, b)| (a - b).abs() <= bound),
+            "{pixel:?} {exact:?}"
+        );
+    }
 }
 
 /// In order there is one pass, and no byte of lists.
