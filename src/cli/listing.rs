@@ -136,7 +136,7 @@ fn index() -> Result<ExitCode> {
         say(paper.citation)?;
         for (key, text) in paper.texts {
             let name = format!("{}/{key}", paper.key);
-            say(format_args!("  {name:<26} {}", text.title()))?;
+            say(format_args!("  {name:<28} {}", text.title()))?;
         }
     }
     Ok(ExitCode::SUCCESS)

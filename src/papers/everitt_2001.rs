@@ -23,7 +23,7 @@ pub use shadow::{
 
 use super::paper::Paper;
 use super::{stage, vtk};
-use crate::steps::{Resources, Text};
+use crate::steps::{Listing, Resources, Text};
 
 /// The paper's texts. The amendments to Listing 1 are VTK's.
 pub const PAPER: Paper = Paper {
@@ -44,7 +44,13 @@ pub const PAPER: Paper = Paper {
         ),
         (
             "sgix-shadow",
-            Text::Listing(SHADOW_AS_DEPTH_TEST, &[COMBINED, LOOKED_UP_AS_2D]),
+            Text::Listing(
+                Listing {
+                    title: "The same by SGIX_shadow and register combiners, as a GeForce3 had them in 2001",
+                    ..SHADOW_AS_DEPTH_TEST
+                },
+                &[COMBINED, LOOKED_UP_AS_2D],
+            ),
         ),
         ("composite", Text::Listing(COMPOSITE, &[ALPHA])),
     ],

@@ -14,6 +14,7 @@ pub mod fused;
 use super::paper::Paper;
 use super::stage::{self, COMPLEXITY, COUNTED, IMAGE_COLOR, ONE_EACH, OPAQUE_DEPTH};
 use crate::steps;
+use crate::steps::pseudo::Pseudocode;
 use crate::steps::{
     Amendment, Dialect, Format, Framebuffer, Holds, Kind, Listing, Map, Query, Resources, Shader,
     Storage, Target, Text, gl::*,
@@ -39,9 +40,16 @@ pub const PAPER: Paper = Paper {
             "pp-ao",
             Text::Listing(PP_AO, &[BY_COUNTER, NO_STENCIL, MARKED]),
         ),
+        ("section-4", Text::Lists(components::STATIC_ARRAY, &[])),
         (
-            "section-4",
-            Text::Lists(components::STATIC_ARRAY, &[components::KEEP_NEAREST]),
+            "section-4-nearest",
+            Text::Lists(
+                Pseudocode {
+                    title: "Static Local Array that keeps the nearest",
+                    ..components::STATIC_ARRAY
+                },
+                &[components::KEEP_NEAREST],
+            ),
         ),
         (
             "section-5.1",
@@ -304,7 +312,7 @@ pub const PP_AO: Listing = Listing {
 pub const MARKED: Amendment = Amendment {
     key: "LX07",
     kind: Kind::Filling("Section 5.1: the comment \"mark pixel as resolved\""),
-    place: "sections 5.1 and 6.2, mark pixel as resolved",
+    place: "sections 5.1 and 6.2, how a pixel is marked as resolved",
     printed: steps! { glEnable(STENCIL_TEST); },
     amended: steps! {
         glEnable(STENCIL_TEST);
@@ -361,7 +369,7 @@ pub const FILL_FOR_PP_AO: Listing = Listing {
 pub const COUNT_INTO_STENCIL: Amendment = Amendment {
     key: "LX16",
     kind: Kind::Filling(COUNTS_ALONG),
-    place: "sections 5.1 and 6.2, count depth complexity",
+    place: "sections 5.1 and 6.2, how the counts come into the stencil buffer",
     printed: steps! { run CLEAR_AND_FILL; },
     amended: steps! { run CLEAR_AND_FILL amended by &[COUNT_WHILE_FILLING]; },
     why: "the stencil buffer that masks has to hold the counts",

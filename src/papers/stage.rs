@@ -9,14 +9,13 @@ use crate::steps::{
     Dialect, Format, Framebuffer, Holds, Listing, Map, Query, Resources, Shader, Target, gl::*,
 };
 
-/// Opaque geometry comes first, because transparent geometry behind it is invisible ("As we first render opaque
-/// geometry, we use it to cull transparent geometry", says VTK's page).
+/// Opaque geometry comes first, because transparent geometry behind it is invisible. What runs it says where it comes
+/// from.
 pub const OPAQUE_FIRST: Listing = Listing {
     title: "Opaque geometry, colour and depth",
-    source: "VTK, Implementation notes",
+    source: "the common stage",
     dialect: Dialect::Calls,
     steps: steps! {
-        prose "As we first render opaque geometry, we use it to cull transparent geometry";
         glBindFramebuffer(IMAGE);
         glClearDepth(1.0);
         glDepthMask(true);

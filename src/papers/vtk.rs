@@ -28,7 +28,7 @@ pub const PAPER: Paper = Paper {
     key: "vtk",
     citation: "VTK wiki, Depth Peeling, 2006",
     texts: &[
-        ("opaque-first", Text::Listing(OPAQUE_FIRST, &[])),
+        ("opaque-first", Text::Listing(CULLING, &[])),
         ("keep-layers", Text::Listing(KEEP_LAYERS, &[])),
         ("on-the-fly", Text::Listing(ON_THE_FLY, &[])),
     ],
@@ -48,19 +48,29 @@ pub const PAPER: Paper = Paper {
     errata: errata::ERRATA,
 };
 
+/// Opaque geometry comes first.
+pub const CULLING: Listing = Listing {
+    title: "Opaque geometry comes first",
+    source: "VTK, Implementation notes",
+    dialect: Dialect::Calls,
+    steps: steps! {
+        prose "As we first render opaque geometry, we use it to cull transparent geometry";
+        run OPAQUE_FIRST;
+    },
+};
+
 /// Every layer is kept, then composited back to front ("Implementation notes").
 pub const KEEP_LAYERS: Listing = Listing {
     title: "Depth peeling with every layer kept, composited back to front",
     source: "VTK, Depth Peeling",
     dialect: Dialect::Calls,
     steps: steps! {
-        prose "the algorithm peels the translucent geometry from front to back until there is no more geometry to render";
-        run OPAQUE_FIRST;
+        run CULLING;
         run BEFORE_PEELING;
         edition "layers and fragments are counted";
         num_layers = 0;
         composited = 0;
-        prose "the original depth peeling algorithm is described in [1]";
+        prose "the algorithm peels the translucent geometry from front to back until there is no more geometry to render";
         run LISTING_1 amended by &[CULL_BY_OPAQUE, QUERY, KEEP_DEPTH];
         prose "the last step perfoms compositing with each layer, back-to-front order";
         glBindFramebuffer(COMPOSITE);
@@ -75,14 +85,13 @@ pub const ON_THE_FLY: Listing = Listing {
     source: "VTK, Depth Peeling",
     dialect: Dialect::Calls,
     steps: steps! {
-        prose "the algorithm peels the translucent geometry from front to back until there is no more geometry to render";
-        run OPAQUE_FIRST;
+        run CULLING;
         run CLEAR_ACCUMULATION;
         run BEFORE_PEELING;
         edition "layers and fragments are counted";
         num_layers = 0;
         composited = 0;
-        prose "the original depth peeling algorithm is described in [1]";
+        prose "the algorithm peels the translucent geometry from front to back until there is no more geometry to render";
         run LISTING_1 amended by &[NO_CLEAR, CULL_BY_OPAQUE, QUERY, UNDER];
         edition "what was accumulated goes over the opaque image";
         run OVER_OPAQUE;

@@ -86,16 +86,18 @@ impl Lines {
     /// The reason of an amendment.
     pub(super) fn amendment<S>(&mut self, lead: &str, amendment: &Amendment<S>) {
         let origin = amendment.origin();
-        let (key, why) = (amendment.key, amendment.why);
+        let (key, place, why) = (amendment.key, amendment.place, amendment.why);
         if let Origin::Silence { .. } = origin {
             let text = format!(
-                "the paper does not say: {why} (filled by {key} in the reading as-printed)"
+                "the paper does not say: {place} (filled by {key} in the reading as-printed, because {why})"
             );
             return self.note(lead, text, Some(origin));
         }
         self.note(lead, format_args!("{key}: {why}"), Some(origin));
-        if let Origin::Filling { rests_on, .. } = origin {
-            self.note(lead, rests_on, Some(origin));
+        match origin {
+            Origin::Filling { rests_on, .. } => self.note(lead, rests_on, Some(origin)),
+            Origin::Prose { quote } => self.note(lead, format_args!("\"{quote}\""), Some(origin)),
+            _ => {}
         }
         self.told.push(origin);
     }

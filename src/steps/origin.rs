@@ -52,7 +52,10 @@ impl Origin {
     /// The letters of all origins, each with its meaning.
     pub const LEGEND: [(char, &'static str); 6] = [
         ('p', "printed in the paper"),
-        ('s', "said in the paper's prose"),
+        (
+            's',
+            "said in prose, the paper's or that of one that builds on it",
+        ),
         ('?', "the paper does not say, and nothing is done"),
         ('f', "fills what the paper leaves open"),
         ('a', "amends what is wrong in the paper"),

@@ -3,6 +3,7 @@
 use std::fmt;
 
 use super::amend::{Met, Scope};
+use super::argument::Argument;
 use super::call::{Call, ClassicCall};
 use super::constants::*;
 use super::expr::Condition;
@@ -172,7 +173,7 @@ impl Printer {
     }
 }
 
-/// Carr et al.'s short forms of two masks.
+/// Carr et al.'s short forms of two masks, and of a program with a number.
 fn short_form(call: &Call) -> Option<String> {
     match *call {
         Call::Clear {
@@ -181,6 +182,11 @@ fn short_form(call: &Call) -> Option<String> {
         Call::Clear {
             mask: super::gl::DEPTH_AND_STENCIL_BUFFER_BITS,
         } => Some("glClear(DEPTH_AND_STENCIL_BUFFER_BITS);".into()),
+        // No OpenGL has it, so it says what its second argument is.
+        Call::UseProgramOfSize { program, size } => {
+            let size = Argument::text(&size);
+            Some(format!("glUseProgram({}, N = {size});", program.0))
+        }
         _ => None,
     }
 }

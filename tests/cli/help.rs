@@ -136,7 +136,7 @@ fn without_a_name_the_listings_are_listed_by_paper() {
         expected += &format!("{}\n", paper.citation);
         for (key, text) in paper.texts {
             let name = format!("{}/{key}", paper.key);
-            expected += &format!("  {name:<26} {}\n", text.title());
+            expected += &format!("  {name:<28} {}\n", text.title());
         }
     }
     assert_eq!(result(&["listing"]), expected);

@@ -337,7 +337,9 @@ fn literally_the_place_of_every_filling_says_that_the_paper_is_silent() {
                 let says = |words: &str| assert!(line.text.contains(words), "{}", line.text);
                 says("// the paper does not say: ");
                 says(why);
-                says(&format!("(filled by {key} in the reading as-printed)"));
+                says(&format!(
+                    "(filled by {key} in the reading as-printed, because "
+                ));
             }
             assert_eq!(silent.is_empty(), filled.is_empty(), "{}/{key}", paper.key);
             silences += silent.len();

@@ -72,7 +72,7 @@ pub const ENABLED: Amendment = Amendment {
     kind: Kind::Filling(
         "An Invariance Issue: \"The depth computed in this texture shader replaces the fragment depth that was computed in the rasterizer\"",
     ),
-    place: "Listing 2",
+    place: "Listing 2, that texture shaders are enabled",
     printed: steps! { bind_simple_1x1_uhilo(); },
     amended: steps! {
         enable_texture_shader();

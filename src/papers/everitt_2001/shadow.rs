@@ -51,7 +51,7 @@ pub const RECTANGLE_FILLINGS: [Amendment; 3] = [INTO_ALPHA, MODULATED, TEXELS];
 pub const INTO_ALPHA: Amendment = Amendment {
     key: "EX04",
     kind: Kind::Filling(RESULTS_IN_ALPHA),
-    place: "Shadow Mapping as Depth Test",
+    place: "how the comparison's result comes into alpha",
     printed: steps! { compare_r_to_texture(true); },
     amended: steps! {
         compare_r_to_texture(true);
@@ -66,7 +66,7 @@ pub const INTO_ALPHA: Amendment = Amendment {
 pub const MODULATED: Amendment = Amendment {
     key: "EX02",
     kind: Kind::Filling(RESULTS_IN_ALPHA),
-    place: "Listing 2, unit 3",
+    place: "Listing 2, unit 3, by which environment the result reaches the fragment",
     printed: steps! {
         glMatrixMode(GL_MODELVIEW);
         glPushMatrix();
@@ -85,7 +85,7 @@ pub const MODULATED: Amendment = Amendment {
 pub const LOOKED_UP_AS_2D: Amendment = Amendment {
     key: "EX03",
     kind: Kind::Filling(PROJECTED),
-    place: "Listing 2, unit 3",
+    place: "Listing 2, unit 3, in which coordinates the shadow map is looked up",
     printed: steps! { glAlphaFunc(GREATER, 0.0); },
     amended: steps! {
         glTexEnvi(GL_TEXTURE_SHADER_NV, GL_SHADER_OPERATION_NV, LOOK_UP_TEXTURE_2D);
@@ -99,7 +99,7 @@ pub const LOOKED_UP_AS_2D: Amendment = Amendment {
 pub const TEXELS: Amendment = Amendment {
     key: "EX03",
     kind: Kind::Filling(PROJECTED),
-    place: "Listing 2, unit 3",
+    place: "Listing 2, unit 3, in which coordinates the shadow map is looked up",
     printed: steps! { glTranslatef(0.5, 0.5, 0.5); },
     amended: steps! {
         scale_by(Number::Variable("width"), Number::Variable("height"));

@@ -16,6 +16,7 @@ pub const STATIC_ARRAY: Pseudocode<ListLine> = Pseudocode {
     lines: lists! {
         prose "allocate a fixed sized array, of size N per thread";
         forall pixels do {
+            spelt "resolve pixel with Local Array of size N;";
             resolve segment with Local Array;
         }
     },

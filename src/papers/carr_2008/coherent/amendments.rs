@@ -30,7 +30,7 @@ pub const CLEAN_STATE: Amendment = Amendment {
     kind: Kind::Filling(
         "Section 5.1: each pass leaves a count or a depth; section 5.2: \"into the final image (pass 5)\"",
     ),
-    place: "section 5.1, before pass 1; section 6, before pass 3",
+    place: "section 5.1, before pass 1, and section 6, before pass 3: where the passes' colour goes",
     printed: steps! { glBindFramebuffer(PEEL); },
     amended: steps! {
         glBindFramebuffer(PEEL);
@@ -123,13 +123,13 @@ pub const COMPOSITE_HALF_OPEN: Amendment = Amendment {
 pub const NO_TESTS: Amendment = Amendment {
     key: "CX12",
     kind: Kind::Filling("Section 5.2: \"A standard compositing pass\""),
-    place: "section 5.2, before pass 5",
-    printed: steps! { run PASS_5; },
+    place: "section 5.2, before pass 5: which tests are on",
+    printed: steps! { run UNDER; },
     amended: steps! {
         glDisable(STENCIL_TEST);
         glDisable(DEPTH_TEST);
         glColorMask(true, true, true, true);
-        run PASS_5;
+        run UNDER;
     },
     why: "pass 4's stencil and depth tests take no part in compositing",
     test: "cx12_state_left_behind_loses_surfaces",
