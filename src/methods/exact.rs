@@ -34,28 +34,27 @@ pub struct Exact;
 
 struct ExactImage {
     setup: Setup,
-    /// The depth buffer of the other methods, and the same between the clip planes that the scene's camera was given.
+    /// The depth buffer of the other methods, and that of another renderer, between the clip planes that the scene's camera
+    /// was given.
     buffers: [DepthBuffer; 2],
 }
 
 impl Algorithm for ExactImage {
     fn prepare(&mut self, machine: &mut GlMachine<'_>, scene: &Scene) -> Result<()> {
         let size = machine.size();
+        let drawn = match machine.has_inverse_w() {
+            true => DepthBuffer::float(&scene.camera, size).of_inverse_w(),
+            false => depth_buffer(&scene.camera, size, self.setup.depth),
+        };
+        let quirks = machine.context().driver().quirks();
         self.buffers = [
-            match machine.has_inverse_w() {
-                true => DepthBuffer::float(&scene.camera, size).of_inverse_w(),
-                false => depth_buffer(&scene.camera, size, self.setup.depth),
+            match quirks.interpolates_true_corners {
+                true => drawn,
+                false => drawn.with_snapped_corners(),
             },
-            depth_buffer(&self.setup.given, size, self.setup.depth),
+            // Nobody knows on which driver another renderer draws.
+            depth_buffer(&self.setup.given, size, self.setup.depth).with_snapped_corners(),
         ];
-        if !machine
-            .context()
-            .driver()
-            .quirks()
-            .interpolates_true_corners
-        {
-            self.buffers = self.buffers.map(DepthBuffer::with_snapped_corners);
-        }
         Ok(())
     }
 

@@ -10,6 +10,7 @@ pub struct Hanging {
     /// With the clip planes with which methods are drawn:
     /// [`Renderer::with_given_planes`](super::Renderer::with_given_planes).
     pub drawn: Vec<bool>,
-    /// With the clip planes of the scene's camera, which another renderer may use unchanged.
+    /// With the clip planes of the scene's camera, which another renderer may use unchanged. Its rasteriser is not known, so
+    /// it may snap corners to a grid of 1/256 pixel before it interpolates depths.
     pub given: Vec<bool>,
 }
