@@ -277,8 +277,11 @@ pub enum Error {
         /// The names that there are.
         known: Vec<String>,
     },
-    /// A request that makes no sense, whatever the files say: a number out of its range, or a text that is not what was
-    /// asked for.
+    /// A request that makes no sense, whatever the files say. A program has nothing to act on but the text.
+    ///
+    /// The command line has it for its arguments, which no program sees but this one. The library has it where one value
+    /// is parsed or counted, such as an amount of memory or the number of a frame: the caller knows which value it gave.
+    /// If a method's option is chosen by its name, the error is an [`Option`](Self::Option) with that name.
     #[error("{}\n  {}", printable(.what), printable(.remedy))]
     #[non_exhaustive]
     Usage {
