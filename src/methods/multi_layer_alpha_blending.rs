@@ -40,6 +40,7 @@ pub struct MultiLayerOptions {
 
 /// The nodes of a pixel, 16 bytes each.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Nodes {
     /// Four of them.
     #[default]

@@ -116,6 +116,7 @@ impl Argument for Buffers {
 
 /// The objects of a draw.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub enum Objects {
     /// Everything, in the order of submission.
     Scene,
