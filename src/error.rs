@@ -16,9 +16,9 @@ pub use printable::{printable, printable_json, printable_lines};
 /// The crate's result.
 pub type Result<T, E = Error> = std::result::Result<T, E>;
 
-/// Everything that can go wrong, each with what its reader needs to put it right.
+/// Everything that can go wrong. Each error has what its reader needs to put it right.
 ///
-/// Printed, an error says what is wrong and where, and on the next line what to do. A program may want to act on some:
+/// A printed error says what is wrong and where. The next line says what to do. A program may want to act on some errors:
 ///
 /// | to | match |
 /// | --- | --- |
@@ -29,9 +29,9 @@ pub type Result<T, E = Error> = std::result::Result<T, E>;
 /// | offer the known names | [`Unknown`](Self::Unknown) |
 /// | correct an option | [`Option`](Self::Option) |
 /// | correct a scene that it has built | [`Scene`](Self::Scene) |
-/// | correct a listing, or its shaders | [`Listing`](Self::Listing), [`UnknownMap`](Self::UnknownMap), [`UnknownBuffer`](Self::UnknownBuffer), [`NoTwin`](Self::NoTwin), [`OutOfOrder`](Self::OutOfOrder), [`CannotPerform`](Self::CannotPerform), [`Shader`](Self::Shader), [`Step`](Self::Step) |
+/// | correct a listing, or its shaders | [`Listing`](Self::Listing), [`UnknownMap`](Self::UnknownMap), [`UnknownBuffer`](Self::UnknownBuffer), [`UnknownShader`](Self::UnknownShader), [`NoTwin`](Self::NoTwin), [`OutOfOrder`](Self::OutOfOrder), [`CannotPerform`](Self::CannotPerform), [`Shader`](Self::Shader), [`Step`](Self::Step) |
 ///
-/// The others are for the person who wrote the call: [`Usage`](Self::Usage), [`SizesDiffer`](Self::SizesDiffer) and
+/// The other errors are for the person who wrote the call: [`Usage`](Self::Usage), [`SizesDiffer`](Self::SizesDiffer) and
 /// [`Plot`](Self::Plot).
 ///
 /// ```
