@@ -56,7 +56,7 @@ macro_rules! numbered {
 
         /// Every constant with its number.
         #[cfg(test)]
-        pub(crate) const NUMBERS: &[(&str, u32)] = &[$($((stringify!($constant), $number),)*)*];
+        pub const NUMBERS: &[(&str, u32)] = &[$($((stringify!($constant), $number),)*)*];
 
         /// The constants under OpenGL's names.
         #[allow(missing_docs)] // as above
