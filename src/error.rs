@@ -16,9 +16,9 @@ pub use printable::{printable, printable_json, printable_lines};
 /// The crate's result.
 pub type Result<T, E = Error> = std::result::Result<T, E>;
 
-/// Everything that can go wrong, each with what its reader needs to put it right.
+/// Everything that can go wrong. Each error has what its reader needs to put it right.
 ///
-/// Printed, an error says what is wrong and where, and on the next line what to do. A program may want to act on some:
+/// A printed error says what is wrong and where. The next line says what to do. A program may want to act on some errors:
 ///
 /// | to | match |
 /// | --- | --- |
@@ -29,9 +29,9 @@ pub type Result<T, E = Error> = std::result::Result<T, E>;
 /// | offer the known names | [`Unknown`](Self::Unknown) |
 /// | correct an option | [`Option`](Self::Option) |
 /// | correct a scene that it has built | [`Scene`](Self::Scene) |
-/// | correct a listing, or its shaders | [`Listing`](Self::Listing), [`UnknownMap`](Self::UnknownMap), [`UnknownBuffer`](Self::UnknownBuffer), [`NoTwin`](Self::NoTwin), [`OutOfOrder`](Self::OutOfOrder), [`CannotPerform`](Self::CannotPerform), [`Shader`](Self::Shader), [`Step`](Self::Step) |
+/// | correct a listing, or its shaders | [`Listing`](Self::Listing), [`UnknownMap`](Self::UnknownMap), [`UnknownBuffer`](Self::UnknownBuffer), [`UnknownShader`](Self::UnknownShader), [`NoTwin`](Self::NoTwin), [`OutOfOrder`](Self::OutOfOrder), [`CannotPerform`](Self::CannotPerform), [`Shader`](Self::Shader), [`Step`](Self::Step) |
 ///
-/// The others are for the person who wrote the call: [`Usage`](Self::Usage), [`SizesDiffer`](Self::SizesDiffer) and
+/// The other errors are for the person who wrote the call: [`Usage`](Self::Usage), [`SizesDiffer`](Self::SizesDiffer) and
 /// [`Plot`](Self::Plot).
 ///
 /// ```
@@ -277,8 +277,11 @@ pub enum Error {
         /// The names that there are.
         known: Vec<String>,
     },
-    /// A request that makes no sense, whatever the files say: a number out of its range, or a text that is not what was
-    /// asked for.
+    /// A request that makes no sense, whatever the files say. A program has nothing to act on but the text.
+    ///
+    /// The command line has it for its arguments, which no program sees but this one. The library has it where one value
+    /// is parsed or counted, such as an amount of memory or the number of a frame: the caller knows which value it gave.
+    /// If a method's option is chosen by its name, the error is an [`Option`](Self::Option) with that name.
     #[error("{}\n  {}", printable(.what), printable(.remedy))]
     #[non_exhaustive]
     Usage {

@@ -1,5 +1,5 @@
 #version 450 core
-// Multi-layer alpha blending: the nodes front to back, and in alpha what comes through them.
+// Multi-layer alpha blending: composites the nodes front to back. Alpha is the transmittance of all nodes together.
 // vertex: screen.vert
 
 #include "multi_layer/node.glsl"

@@ -1,8 +1,10 @@
 #version 450 core
-// Multi-layer alpha blending: a fragment goes behind the nodes that are nearer or as near. Where that makes one node too
-// many, the two farthest are merged. By default the nodes are the framebuffer's color maps, fetched in the order of
-// submission; each is written in any case, because drivers do not keep one that is only read. With IMAGES they are images,
-// loaded and stored between the two ends of an interlock.
+// Multi-layer alpha blending: a fragment becomes a node, behind the nodes that are nearer or as near. If that makes one node
+// too many, the two farthest nodes are merged.
+//
+// By default the nodes are the framebuffer's color maps, which fragments fetch in the order of submission. The shader writes
+// each of them in any case, because drivers do not keep one that is only read. With IMAGES the nodes are images, which the
+// shader loads and stores within an interlock.
 // defines: method
 
 #if IMAGES
@@ -25,7 +27,7 @@ layout(location = 0) inout uvec4 nodes[NODES];    // nearest first
 #endif
 
 void insert(uvec4 farther) {
-    bool moves = false;    // from its place on, each node moves by one, those of equal depth, too
+    bool moves = false;    // from the fragment's place on, each node moves by one; those of equal depth do, too
     for (int i = 0; i < NODES; i++) {
         uvec4 here = nodes[i];
         moves = moves || farther.x < here.x;

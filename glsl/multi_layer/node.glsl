@@ -1,6 +1,6 @@
-// A node of multi-layer alpha blending (Salvi and Vaidyanathan 2014): what lies at one depth, or at several that were
-// merged. A texel of four words holds it: the depth's bits, which are ordered as depths are, and 24 bits each for the
-// premultiplied colour and the transmittance.
+// A node of multi-layer alpha blending (Salvi and Vaidyanathan 2014): one fragment, or several that were merged. A texel of
+// four words holds it. The first word has the depth's bits, which are ordered as depths are. The others have 24 bits for
+// each channel of the premultiplied colour, and 24 for the transmittance.
 // defines: method
 
 struct Node {
@@ -9,7 +9,7 @@ struct Node {
     float transmittance;
 };
 
-// Behind every depth there is.
+// An empty node. It lies behind every depth.
 const uint NO_DEPTH = 0xFFFFFFFFu;
 const Node NOTHING = Node(NO_DEPTH, vec3(0.0), 1.0);
 
@@ -27,7 +27,7 @@ Node node_of(uvec4 texel) {
     return Node(texel.x, vec3(texel.yzw & 0xFFFFFFu) / STEPS, float(transmittance) / STEPS);
 }
 
-// Both as one, at the nearer one's depth.
+// Two nodes as one, at the nearer one's depth.
 Node merged(Node near, Node far) {
     return Node(near.depth, near.color + near.transmittance * far.color, near.transmittance * far.transmittance);
 }

@@ -1,5 +1,5 @@
 #version 450 core
-// Multi-layer alpha blending: the pixels that have taken a node. A query counts them.
+// Multi-layer alpha blending: draws the pixels in which a node is filled. A query counts them.
 // vertex: screen.vert
 
 #include "multi_layer/node.glsl"

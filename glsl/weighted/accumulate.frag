@@ -1,6 +1,6 @@
 #version 430 core
-// Weighted blended transparency (McGuire and Bavoil 2013): what a fragment adds to the sums of equation 6. EQUATION says
-// which of the paper's weights it has, 7 to 10.
+// Weighted blended transparency (McGuire and Bavoil 2013): a fragment's part of the sums of equation 6. EQUATION is the
+// number of the paper's equation for the weight, 7 to 10.
 // defines: method
 
 vec4 surface_color();    // surface/unlit.frag, lit.frag or slice.frag

@@ -1,6 +1,6 @@
 #version 430 core
-// Equation 6 of McGuire and Bavoil (2013): the weighted mean of the colours, and in alpha what comes through them. Where
-// there is no fragment everything comes through, and the mean of nothing is 0.
+// Equation 6 of McGuire and Bavoil (2013): the weighted mean of the colours. Alpha is the transmittance of all fragments
+// together. In a pixel without a fragment it is 1, and the mean is taken to be 0.
 // vertex: screen.vert
 
 layout(binding = 2) uniform sampler2D accumulated;

@@ -74,7 +74,8 @@ fn run_on_pixels<'a>(
     limit: u32,
 ) -> Result<Run<'a>> {
     if array == 0 {
-        return Err(Error::usage(
+        return Err(Error::option(
+            "array",
             "a Local Array of 0 takes no fragment",
             "choose 1 or more",
         ));
@@ -268,7 +269,8 @@ impl Run<'_> {
         here: Here,
     ) -> Result<()> {
         if self.array < FIRST_SEGMENT {
-            return Err(Error::usage(
+            return Err(Error::option(
+                "array",
                 format!(
                     "the last segment cannot be {}: the first is {FIRST_SEGMENT}",
                     self.array

@@ -1,6 +1,4 @@
-//! GL's constants for the vocabulary's enums.
-
-use crate::steps::{BlendEquation, BlendFactor, Buffers, Capability, Compare, StencilOp};
+//! The names of OpenGL's errors. The constants that listings have know their numbers by themselves.
 
 /// GL's name for an error.
 pub(super) fn error_name(error: u32) -> &'static str {
@@ -15,68 +13,37 @@ pub(super) fn error_name(error: u32) -> &'static str {
     }
 }
 
-/// The bits of `glClear`.
-pub(super) fn clear_bits(mask: Buffers) -> u32 {
-    let bit = |set, bit| if set { bit } else { 0 };
-    bit(mask.color, glow::COLOR_BUFFER_BIT)
-        | bit(mask.depth, glow::DEPTH_BUFFER_BIT)
-        | bit(mask.stencil, glow::STENCIL_BUFFER_BIT)
-}
+#[cfg(test)]
+mod tests {
+    use crate::steps::{Buffers, NUMBERS};
 
-/// The capability of `glEnable`.
-pub(super) const fn capability(cap: Capability) -> u32 {
-    match cap {
-        Capability::DepthTest => glow::DEPTH_TEST,
-        Capability::StencilTest => glow::STENCIL_TEST,
-        Capability::Blend => glow::BLEND,
-        Capability::DepthClamp => glow::DEPTH_CLAMP,
+    /// Glow's numbers come from Khronos's registry, those of the table from the specification.
+    macro_rules! of_glow {
+        ($($constant:ident)*) => {
+            &[$((stringify!($constant), glow::$constant),)*]
+        };
     }
-}
 
-/// A comparison.
-pub(super) const fn compare(func: Compare) -> u32 {
-    match func {
-        Compare::Never => glow::NEVER,
-        Compare::Less => glow::LESS,
-        Compare::Equal => glow::EQUAL,
-        Compare::Lequal => glow::LEQUAL,
-        Compare::Greater => glow::GREATER,
-        Compare::Notequal => glow::NOTEQUAL,
-        Compare::Gequal => glow::GEQUAL,
-        Compare::Always => glow::ALWAYS,
-    }
-}
-
-/// A stencil operation.
-pub(super) const fn stencil_op(op: StencilOp) -> u32 {
-    match op {
-        StencilOp::Keep => glow::KEEP,
-        StencilOp::Zero => glow::ZERO,
-        StencilOp::Replace => glow::REPLACE,
-        StencilOp::Incr => glow::INCR,
-        StencilOp::IncrWrap => glow::INCR_WRAP,
-        StencilOp::Decr => glow::DECR,
-        StencilOp::DecrWrap => glow::DECR_WRAP,
-        StencilOp::Invert => glow::INVERT,
-    }
-}
-
-/// A blend equation.
-pub(super) const fn blend_equation(mode: BlendEquation) -> u32 {
-    match mode {
-        BlendEquation::FuncAdd => glow::FUNC_ADD,
-        BlendEquation::Max => glow::MAX,
-    }
-}
-
-/// A blend factor.
-pub(super) const fn blend_factor(factor: BlendFactor) -> u32 {
-    match factor {
-        BlendFactor::Zero => glow::ZERO,
-        BlendFactor::One => glow::ONE,
-        BlendFactor::SrcAlpha => glow::SRC_ALPHA,
-        BlendFactor::OneMinusSrcAlpha => glow::ONE_MINUS_SRC_ALPHA,
-        BlendFactor::DstAlpha => glow::DST_ALPHA,
-        BlendFactor::OneMinusDstAlpha => glow::ONE_MINUS_DST_ALPHA,
+    #[test]
+    fn the_numbers_of_the_table_are_opengl_s() {
+        let of_glow: &[(&str, u32)] = of_glow! {
+            NEVER LESS EQUAL LEQUAL GREATER NOTEQUAL GEQUAL ALWAYS
+            KEEP ZERO REPLACE INCR INCR_WRAP DECR DECR_WRAP INVERT
+            ZERO ONE SRC_ALPHA ONE_MINUS_SRC_ALPHA DST_ALPHA ONE_MINUS_DST_ALPHA
+            FUNC_ADD MAX DEPTH_TEST STENCIL_TEST BLEND DEPTH_CLAMP
+        };
+        assert_eq!(NUMBERS, of_glow);
+        let buffers = |color, depth, stencil| {
+            Buffers {
+                color,
+                depth,
+                stencil,
+            }
+            .number()
+        };
+        assert_eq!(buffers(true, false, false), glow::COLOR_BUFFER_BIT);
+        assert_eq!(buffers(false, true, false), glow::DEPTH_BUFFER_BIT);
+        assert_eq!(buffers(false, false, true), glow::STENCIL_BUFFER_BIT);
+        assert_eq!(buffers(false, false, false), 0);
     }
 }

@@ -172,7 +172,7 @@ impl<'c> Geometry<'c> {
     /// Has an order drawn by its number. The first one is number 0.
     pub(super) fn choose(&mut self, order: usize) -> Result<()> {
         if order >= self.orders.len() {
-            return Err(Error::usage(
+            return Err(Error::out_of_order(
                 format!("order {order} is to be drawn, of {}", self.orders.len()),
                 "upload the scene in so many orders",
             ));
@@ -228,7 +228,7 @@ impl<'c> Geometry<'c> {
         if self.context.is(context) {
             return Ok(());
         }
-        Err(Error::usage(
+        Err(Error::out_of_order(
             "the geometry was uploaded to another OpenGL context than the one that draws it",
             "upload it with the context of the machine",
         ))

@@ -3,9 +3,7 @@
 use glow::HasContext;
 
 use super::classic::Around;
-use super::constants::{
-    blend_equation, blend_factor, capability, clear_bits, compare, error_name, stencil_op,
-};
+use super::constants::error_name;
 use super::framebuffers::depth_attachment;
 use super::geometry::Geometry;
 use super::machine::GlMachine;
@@ -139,10 +137,10 @@ impl GlMachine<'_> {
                 } => gl.clear_color(red, green, blue, alpha),
                 Call::ClearDepth { depth } => gl.clear_depth_f64(depth),
                 Call::ClearStencil { s } => gl.clear_stencil(s),
-                Call::Clear { mask } => gl.clear(clear_bits(mask)),
-                Call::Enable { cap } => gl.enable(capability(cap)),
-                Call::Disable { cap } => gl.disable(capability(cap)),
-                Call::DepthFunc { func } => gl.depth_func(compare(func)),
+                Call::Clear { mask } => gl.clear(mask.number()),
+                Call::Enable { cap } => gl.enable(cap.number()),
+                Call::Disable { cap } => gl.disable(cap.number()),
+                Call::DepthFunc { func } => gl.depth_func(func.number()),
                 Call::DepthMask { flag } => gl.depth_mask(flag),
                 Call::ColorMask {
                     red,
@@ -162,16 +160,16 @@ impl GlMachine<'_> {
                     func,
                     reference,
                     mask,
-                } => gl.stencil_func(compare(func), reference, mask),
+                } => gl.stencil_func(func.number(), reference, mask),
                 Call::StencilOp {
                     sfail,
                     dpfail,
                     dppass,
                 } => {
-                    gl.stencil_op(stencil_op(sfail), stencil_op(dpfail), stencil_op(dppass));
+                    gl.stencil_op(sfail.number(), dpfail.number(), dppass.number());
                 }
                 Call::BlendFunc { sfactor, dfactor } => {
-                    gl.blend_func(blend_factor(sfactor), blend_factor(dfactor))
+                    gl.blend_func(sfactor.number(), dfactor.number())
                 }
                 Call::BlendFuncSeparate {
                     src_rgb,
@@ -180,10 +178,10 @@ impl GlMachine<'_> {
                     dst_alpha,
                 } => {
                     gl.blend_func_separate(
-                        blend_factor(src_rgb),
-                        blend_factor(dst_rgb),
-                        blend_factor(src_alpha),
-                        blend_factor(dst_alpha),
+                        src_rgb.number(),
+                        dst_rgb.number(),
+                        src_alpha.number(),
+                        dst_alpha.number(),
                     );
                 }
                 Call::ActiveDepthUnit { .. } | Call::BindDepthBuffer { .. } => {
@@ -200,7 +198,7 @@ impl GlMachine<'_> {
                     gl.bind_texture(glow::TEXTURE_2D, Some(texture.raw));
                 }
                 Call::SamplerCompareFunc { func } => {
-                    self.samplers.set_comparison(gl, compare(func));
+                    self.samplers.set_comparison(gl, func.number());
                 }
                 Call::UseProgram { program } => self.programs.choose(gl, program, None)?,
                 Call::UseProgramOfSize { program, size } => {
@@ -211,13 +209,13 @@ impl GlMachine<'_> {
                     reference,
                     mask,
                 } => {
-                    gl.stencil_func(compare(func), reference.known()?, mask);
+                    gl.stencil_func(func.number(), reference.known()?, mask);
                 }
                 Call::BlendEquationi { buf, mode } => {
-                    gl.blend_equation_draw_buffer(buf, blend_equation(mode));
+                    gl.blend_equation_draw_buffer(buf, mode.number());
                 }
                 Call::BlendFunci { buf, src, dst } => {
-                    gl.blend_func_draw_buffer(buf, blend_factor(src), blend_factor(dst));
+                    gl.blend_func_draw_buffer(buf, src.number(), dst.number());
                 }
                 Call::ClearFloats { drawbuffer, value } => {
                     gl.clear_buffer_f32_slice(glow::COLOR, drawbuffer, &value);

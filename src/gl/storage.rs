@@ -11,6 +11,7 @@ use crate::steps::Storage;
 
 /// The format in which shaders read a buffer as texels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Texels {
     /// One 32-bit number each.
     R32Ui,
@@ -142,7 +143,7 @@ impl Storages {
         storage: Storage,
     ) -> Result<()> {
         let (_, texture) = self.get(storage)?.texture.ok_or_else(|| {
-            Error::usage(
+            Error::out_of_order(
                 format!("the buffer '{}' has no texels", storage.0),
                 "allocate it with texels",
             )
@@ -200,7 +201,7 @@ impl Storages {
     pub(super) fn write(&self, gl: &glow::Context, storage: Storage, bytes: &[u8]) -> Result<()> {
         let there = self.get(storage)?;
         if there.bytes < bytes.len() as u64 {
-            return Err(Error::usage(
+            return Err(Error::out_of_order(
                 format!(
                     "{} bytes do not fit into the buffer '{}'",
                     bytes.len(),

@@ -41,7 +41,7 @@ const BY_THE_MACHINE: [(&str, u32); 8] = [
 ];
 
 /// What a text's shaders declare and the text does not bind, with what does.
-const ELSEWHERE: [(&str, &[&str], &str); 9] = [
+const ELSEWHERE: [(&str, &[&str], &str); 10] = [
     (
         "carr/pass-6",
         &["lower", "opaque", "other_upper", "upper"],
@@ -54,6 +54,11 @@ const ELSEWHERE: [(&str, &[&str], &str); 9] = [
     ),
     ("lindholm/complexity-image", &["opaque"], RAYS),
     ("lindholm/clear-and-fill", &["opaque"], RAYS),
+    (
+        "lindholm/fill-for-pp-ao",
+        &["anchor", "opaque"],
+        "the verified painter, which fills lists for the pixels that it marked; and OPAQUE_ENDS_RAYS",
+    ),
     ("lindholm/resolve", &["Offsets", "opaque"], OFFSETS),
     ("lindholm/pp-ao", &["Offsets", "opaque"], OFFSETS),
     (

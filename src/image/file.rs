@@ -23,6 +23,7 @@ pub enum Encoding {
 
 /// A kind of picture file, as the ending of its name says.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum FileKind {
     /// `.png`: four channels of 8 bits.
     Png,

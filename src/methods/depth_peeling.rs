@@ -31,6 +31,7 @@ use crate::words::{Words, words};
 
 /// The way in which layers become an image.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Compositing {
     /// Each layer goes under those before it as soon as it is found. No layer is kept.
     #[default]

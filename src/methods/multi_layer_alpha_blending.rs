@@ -1,15 +1,16 @@
-//! Multi-layer alpha blending (Salvi and Vaidyanathan 2014): one pass in whatever order, and a few nodes for each pixel.
+//! Multi-layer alpha blending (Salvi and Vaidyanathan 2014). One pass takes the fragments in any order, and keeps a few nodes
+//! for each pixel.
 //!
-//! [`FOUR_NODES`] and [`EIGHT_NODES`] are the algorithm. It is exact where a pixel has at most as many fragments as nodes.
-//! Where it has more, every fragment is still in the image, and what comes through to the opaque image is still right.
-//! But the two farthest nodes have been merged, so that a later fragment between them is taken to lie behind both. The
-//! order of submission then makes a difference.
+//! [`FOUR_NODES`] and [`EIGHT_NODES`] are the algorithm. A pixel is exact if it has no more fragments than nodes. If it has
+//! more, every fragment is still in the image, and the light that comes through to the opaque image is still right. But the
+//! two farthest nodes were merged. A later fragment between them is then taken to lie behind both, so the image depends on
+//! the order of submission.
 //!
 //! A node stores its colours and its transmittance in 24 bits each, from 0 to 1, whatever format the image has.
 //!
-//! It needs a rasteriser whose shaders read and write several buffers in the order of submission: by
-//! `GL_EXT_shader_framebuffer_fetch` (Mesa's llvmpipe), or by images with `GL_ARB_fragment_shader_interlock` (NVIDIA's and
-//! Intel's drivers).
+//! The shader reads and writes several buffers, and a pixel's fragments must do so in the order of submission. The driver
+//! has `GL_EXT_shader_framebuffer_fetch` for that (Mesa's llvmpipe), or images with `GL_ARB_fragment_shader_interlock`
+//! (NVIDIA's and Intel's drivers).
 //!
 //! Excludes: multisampling; depths at or beyond the far plane, which GL clips; colours beyond 1, which are stored as 1.
 
@@ -40,6 +41,7 @@ pub struct MultiLayerOptions {
 
 /// The nodes of a pixel, 16 bytes each.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Nodes {
     /// Four of them.
     #[default]
@@ -80,7 +82,7 @@ impl Algorithm for MultiLayerAlphaBlending {
             false => &[],
         };
         run(listing, amendments, Variables::new(), machine)?;
-        // What was merged is in the image, too.
+        // No fragment is lost: merged ones are in the image, too.
         Ok(Drawn {
             iterations: 1,
             ..Drawn::default()

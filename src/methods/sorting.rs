@@ -12,6 +12,7 @@ use crate::scene::{Mesh, Scene};
 
 /// The order in which transparent triangles are submitted.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum TriangleSort {
     /// The scene's order.
     Submission,

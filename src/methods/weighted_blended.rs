@@ -1,11 +1,13 @@
-//! Weighted blended transparency (McGuire and Bavoil 2013): one pass in whatever order, and a quotient.
+//! Weighted blended transparency (McGuire and Bavoil 2013). One pass adds up all fragments, in any order. Then each sum is
+//! divided by the sum of the weights.
 //!
-//! [`WEIGHTED_BLENDED`] is the algorithm. It is exact where a pixel has one fragment, and where all of its fragments have
-//! one colour, because what comes through to the opaque image is always right. Elsewhere the image has a weighted mean of
-//! the colours, so that no channel can be further off than the fragments' colours are apart.
+//! [`WEIGHTED_BLENDED`] is the algorithm. The light that comes through to the opaque image is always right. So a pixel is
+//! exact if it has one fragment, or if all of its fragments have one colour. Any other pixel has a weighted mean of the
+//! fragments' colours. No channel of it can be further off than the colours are apart.
 //!
-//! Equations 7 to 9 weigh by the distance along the view direction, in units of the scene, for scenes of a few to some
-//! hundreds of them. Equation 10 weighs by window-space depth, so its image depends on the clip planes.
+//! Equations 7 to 9 weigh fragments by their distance along the view direction, in units of the scene. They are made for
+//! distances of a few units to some hundreds. Equation 10 weighs fragments by window-space depth, so its image depends on the
+//! clip planes.
 //!
 //! Excludes: multisampling; depths at or beyond the far plane, which GL clips.
 
@@ -28,17 +30,18 @@ pub struct WeightedBlendedOptions {
     pub weight: Weight,
 }
 
-/// The paper's weights, by its equations: each falls with the distance, and is proportional to the opacity.
+/// The paper's weights, by the numbers of its equations. Each weight is proportional to the opacity, and falls with the
+/// distance.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Weight {
-    /// With the second power of the distance, then with the sixth.
+    /// It falls with the second power of the distance, and far away with the sixth.
     #[default]
     Equation7 = 7,
-    /// With the third power of the distance, then with the sixth.
+    /// It falls with the third power of the distance, and far away with the sixth.
     Equation8 = 8,
-    /// With the fourth power of the distance.
+    /// It falls with the fourth power of the distance.
     Equation9 = 9,
-    /// With the third power of what window-space depth lacks to 1.
+    /// It is the third power of 1 minus the window-space depth.
     Equation10 = 10,
 }
 

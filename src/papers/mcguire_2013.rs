@@ -1,8 +1,9 @@
 //! Morgan McGuire and Louis Bavoil, *Weighted Blended Order-Independent Transparency*, Journal of Computer Graphics
 //! Techniques 2(2), 2013.
 //!
-//! Two sums in one pass, in whatever order: of colours, weighted by distance, and of what comes through. So what lies
-//! behind is covered exactly as much as it should be, and the colours of the covering surfaces are mixed.
+//! One pass over the surfaces, in any order, makes two results for each pixel. One is the sum of the colours, weighted by
+//! distance. The other is the product of what the surfaces let through. So the surfaces cover what lies behind them exactly
+//! as much as they should, and their own colours are mixed.
 
 use super::paper::Paper;
 use crate::papers::stage;
@@ -23,7 +24,7 @@ pub const PAPER: Paper = Paper {
 
 /// The whole algorithm.
 pub const WEIGHTED_BLENDED: Listing = Listing {
-    title: "Weighted blended transparency: two sums, then their quotient over the opaque image",
+    title: "Weighted blended transparency: a sum and a product, then the mean colour over the opaque image",
     source: "McGuire and Bavoil 2013",
     dialect: Dialect::Calls,
     steps: steps! {
@@ -53,7 +54,7 @@ const ADD_UP: Listing = Listing {
 
 /// Its blend function for colours; alpha stays the opaque image's.
 const COMPOSITE: Listing = Listing {
-    title: "The weighted mean, over the opaque image as far as that is covered",
+    title: "The weighted mean covers the opaque image as much as the surfaces do",
     source: "McGuire and Bavoil 2013, equation 6",
     dialect: Dialect::Calls,
     steps: steps! {
@@ -74,7 +75,8 @@ const COMPOSITE: Listing = Listing {
 const NOTHING: [f32; 4] = [0.0; 4];
 const EVERYTHING: [f32; 4] = [1.0; 4];
 
-/// What it takes for granted. Sums of many weights do not fit into 8 bits, whatever the image has.
+/// The maps and framebuffers that the algorithm takes for granted. The sum of many weights does not fit into 8 bits, even if
+/// the image has 8.
 pub const RESOURCES: Resources = Resources {
     maps: &[
         (ACCUMULATED, Holds::Exactly(Format::Rgba32F)),
@@ -88,9 +90,9 @@ pub const RESOURCES: Resources = Resources {
     ..Resources::NONE
 };
 
-/// The sum of weighted colours, premultiplied, and in alpha that of the weighted opacities.
+/// The sum of the weighted colours, which are premultiplied. Alpha has the sum of the weighted opacities.
 pub const ACCUMULATED: Map = Map::named("weighted colors");
-/// The product of what each fragment lets through.
+/// The product of the transmittances of all fragments.
 pub const REVEALAGE: Map = Map::named("revealage");
 
 const SUMS: Target = Target("weighted sums");

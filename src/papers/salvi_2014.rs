@@ -1,8 +1,8 @@
 //! Marco Salvi and Karthik Vaidyanathan, *Multi-layer Alpha Blending*, Symposium on Interactive 3D Graphics and Games,
 //! 2014.
 //!
-//! One pass in whatever order, in bounded memory: a pixel has a few nodes, sorted by depth. A fragment becomes a node, and
-//! where that is one too many, the two farthest are merged.
+//! One pass over the surfaces, in any order, and in bounded memory. A pixel has a few nodes, sorted by depth. Each fragment
+//! becomes a node. If that makes one node too many, the two farthest nodes are merged.
 
 use super::paper::Paper;
 use crate::papers::stage;
@@ -59,7 +59,7 @@ pub const EIGHT_NODES: Listing = Listing {
 };
 
 const INSERT: Listing = Listing {
-    title: "Each fragment goes among the nodes, and the two farthest are merged where there is one too many",
+    title: "Each fragment becomes a node, and if that is one too many, the two farthest are merged",
     source: "Salvi and Vaidyanathan 2014, the transparent pass",
     dialect: Dialect::Calls,
     steps: steps! {
@@ -92,7 +92,7 @@ const FIRST_NODES: Listing = Listing {
 };
 
 const FURTHER_NODES: Listing = Listing {
-    title: "So are the others",
+    title: "The other four nodes are looked up",
     source: "Salvi and Vaidyanathan 2014",
     dialect: Dialect::Calls,
     steps: steps! {
@@ -109,7 +109,7 @@ const FURTHER_NODES: Listing = Listing {
 
 /// Its blend function for colours; alpha stays the opaque image's.
 const COMPOSITE: Listing = Listing {
-    title: "The nodes, front to back, over the opaque image",
+    title: "The nodes are composited front to back, over the opaque image",
     source: "Salvi and Vaidyanathan 2014",
     dialect: Dialect::Calls,
     steps: steps! {
@@ -123,10 +123,10 @@ const COMPOSITE: Listing = Listing {
     },
 };
 
-/// Counts the nodes that a frame has taken, of all pixels: so many fragments have a node of their own. `nodes` is the number
-/// of a pixel's nodes, `taken` the count.
+/// Counts the nodes that a frame has filled, over all pixels. So many fragments have a node of their own. The variable
+/// `nodes` is the number of a pixel's nodes, and `taken` becomes the count.
 pub const COUNT_TAKEN: Listing = Listing {
-    title: "How many nodes are taken",
+    title: "The filled nodes are counted",
     source: "onionskin",
     dialect: Dialect::Calls,
     steps: steps! {
@@ -148,8 +148,8 @@ pub const COUNT_TAKEN: Listing = Listing {
     },
 };
 
-/// To [`FOUR_NODES`]: the nodes are images that fragments load and store in their turns, instead of color maps that they
-/// fetch.
+/// Amends [`FOUR_NODES`]. The nodes are images, which fragments load and store in their turns. Without it they are color
+/// maps, which fragments fetch.
 pub const FOUR_IMAGES: Amendment = Amendment {
     amended: steps! {
         run BIND_FIRST_IMAGES;
@@ -190,7 +190,7 @@ const BIND_FIRST_IMAGES: Listing = Listing {
 };
 
 const BIND_FURTHER_IMAGES: Listing = Listing {
-    title: "So are the others",
+    title: "The other four nodes are images",
     source: "onionskin",
     dialect: Dialect::Calls,
     steps: steps! {

@@ -13,6 +13,7 @@ use crate::methods::{Bin, Complexity};
 
 /// A kind of plot file, as the ending of its name says.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum PlotKind {
     /// `.svg`: lines and text.
     Svg,

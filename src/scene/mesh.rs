@@ -23,6 +23,7 @@ pub struct Vertex {
 
 /// How a fragment gets its colour from the vertices' colours.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Shading {
     /// The vertices' colour as it is.
     #[default]

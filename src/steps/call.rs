@@ -34,6 +34,7 @@ macro_rules! calls {
         $(#[$about])*
         #[derive(Clone, Copy, Debug, PartialEq)]
         #[allow(missing_docs)] // OpenGL's calls and its parameters' names; what OpenGL does not have is documented
+        #[non_exhaustive]
         pub enum $enum {
             $($(#[$doc])* $variant $({ $($field: $type),+ })?,)*
             $($(#[$more_doc])* $more($inner),)?

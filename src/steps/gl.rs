@@ -10,41 +10,11 @@ use super::constants::*;
 use super::names::{Number, Shader};
 
 pub use super::call::functions::*;
+pub use super::constants::named::*;
 pub use super::gl_classic::*;
 
-pub const NEVER: Compare = Compare::Never;
-pub const LESS: Compare = Compare::Less;
-pub const EQUAL: Compare = Compare::Equal;
-pub const LEQUAL: Compare = Compare::Lequal;
-pub const GREATER: Compare = Compare::Greater;
-pub const NOTEQUAL: Compare = Compare::Notequal;
-pub const GEQUAL: Compare = Compare::Gequal;
-pub const ALWAYS: Compare = Compare::Always;
-
-pub const KEEP: StencilOp = StencilOp::Keep;
-pub const REPLACE: StencilOp = StencilOp::Replace;
-pub const INCR: StencilOp = StencilOp::Incr;
-pub const INCR_WRAP: StencilOp = StencilOp::IncrWrap;
-pub const DECR: StencilOp = StencilOp::Decr;
-pub const DECR_WRAP: StencilOp = StencilOp::DecrWrap;
-pub const INVERT: StencilOp = StencilOp::Invert;
-
-pub const ZERO: BlendFactor = BlendFactor::Zero;
-pub const ONE: BlendFactor = BlendFactor::One;
-pub const SRC_ALPHA: BlendFactor = BlendFactor::SrcAlpha;
-pub const ONE_MINUS_SRC_ALPHA: BlendFactor = BlendFactor::OneMinusSrcAlpha;
-pub const DST_ALPHA: BlendFactor = BlendFactor::DstAlpha;
-/// Carr et al.'s name for it.
+/// Carr et al.'s name for `GL_DST_ALPHA`.
 pub const DEST_ALPHA: BlendFactor = BlendFactor::DstAlpha;
-pub const ONE_MINUS_DST_ALPHA: BlendFactor = BlendFactor::OneMinusDstAlpha;
-
-pub const FUNC_ADD: BlendEquation = BlendEquation::FuncAdd;
-pub const MAX: BlendEquation = BlendEquation::Max;
-
-pub const DEPTH_TEST: Capability = Capability::DepthTest;
-pub const STENCIL_TEST: Capability = Capability::StencilTest;
-pub const BLEND: Capability = Capability::Blend;
-pub const DEPTH_CLAMP: Capability = Capability::DepthClamp;
 
 pub const COLOR_BUFFER_BIT: Buffers = Buffers {
     color: true,

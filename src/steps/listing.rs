@@ -33,6 +33,9 @@ pub enum Dialect {
 }
 
 /// One statement of a listing.
+///
+/// A further kind of statement is a change for every program that prints or walks listings, and each should learn of it from
+/// its compiler. So this is not `non_exhaustive`, as [`Call`] is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Step {
     /// A call.
@@ -135,6 +138,7 @@ impl Statement for Step {
 
 /// The reason for which a loop was left.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub enum Reason {
     /// The last peel found nothing: everything has been peeled.
     EmptyLayer,

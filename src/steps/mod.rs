@@ -60,6 +60,8 @@ pub use classic::{
     DepthTextureMode, MatrixMode, TexEnvName, TexEnvValue, TextureTarget,
 };
 pub use classic_depth_units::ClassicDepthUnits;
+#[cfg(test)]
+pub(crate) use constants::NUMBERS;
 pub use constants::{BlendEquation, BlendFactor, Buffers, Capability, Compare, Objects, StencilOp};
 pub use depth_units::DepthUnits;
 pub use expr::{Condition, Expr, Variables};

@@ -60,7 +60,7 @@ impl Machine for Recorder {
     fn samples(&mut self, query: Query) -> Result<u64> {
         let laid_out = self.answers.get_mut(&query).and_then(VecDeque::pop_front);
         laid_out.or(self.otherwise).ok_or_else(|| {
-            Error::usage(
+            Error::out_of_order(
                 format!("the recorder has no answer for query {}", query.0),
                 "lay out one for each time it is asked: Recorder::answering",
             )

@@ -6,7 +6,6 @@ use std::collections::HashMap;
 use glow::HasContext;
 
 use super::super::bindings::{PLAIN_2D, PLAIN_RECTANGLE, SHADOW_2D, SHADOW_RECTANGLE};
-use super::super::constants::compare;
 use super::super::context::Context;
 use super::super::geometry::Geometry;
 use super::super::making::{Making, allocate, named};
@@ -190,7 +189,7 @@ impl Classic {
             gl.active_texture(glow::TEXTURE0 + at);
             gl.bind_texture(kind, Some(raw));
             gl.bind_sampler(at, Some(sampler));
-            let func = compare(unit.compare_func) as i32;
+            let func = unit.compare_func.number() as i32;
             gl.sampler_parameter_i32(self.samplers[number], glow::TEXTURE_COMPARE_FUNC, func);
         }
         Ok(())
@@ -313,7 +312,7 @@ fn set_uniforms(gl: &glow::Context, program: glow::Program, state: &ClassicState
         gl.uniform_3_i32_slice(at("combiner").as_ref(), combiner.as_flattened());
         gl.uniform_1_i32(
             at("alpha_func").as_ref(),
-            (compare(func) - glow::NEVER) as i32,
+            (func.number() - glow::NEVER) as i32,
         );
         gl.uniform_1_f32(at("alpha_ref").as_ref(), reference);
         gl.uniform_1_i32(at("unsigned_hilo").as_ref(), HILO as i32);

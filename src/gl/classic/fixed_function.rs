@@ -6,7 +6,6 @@ use std::ffi::{c_float, c_int, c_uint, c_void};
 
 use glow::HasContext;
 
-use super::super::constants::compare;
 use super::super::context::Context;
 use super::super::geometry::Buffers;
 use super::super::machine::GlMachine;
@@ -123,7 +122,7 @@ impl<'m, 'c> FixedFunction<'m, 'c> {
                 ClassicCall::Enable { cap } => gl.enable(capability(*call, cap)?),
                 ClassicCall::Disable { cap } => gl.disable(capability(*call, cap)?),
                 ClassicCall::AlphaFunc { func, reference } => {
-                    (f.alpha_func)(compare(func), reference);
+                    (f.alpha_func)(func.number(), reference);
                 }
                 ClassicCall::TexEnv {
                     pname: TexEnvName::TextureEnvMode,
@@ -159,7 +158,7 @@ impl<'m, 'c> FixedFunction<'m, 'c> {
                 }
                 ClassicCall::TextureCompareFunc { func } => {
                     let name = glow::TEXTURE_COMPARE_FUNC;
-                    gl.tex_parameter_i32(constant(bound), name, compare(func) as i32);
+                    gl.tex_parameter_i32(constant(bound), name, func.number() as i32);
                 }
                 ClassicCall::MatrixMode { mode } => (f.matrix_mode)(match mode {
                     MatrixMode::Modelview => MODELVIEW,

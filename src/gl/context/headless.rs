@@ -1,5 +1,7 @@
 //! What EGL's and OSMesa's contexts have in common.
 
+use crate::words::words;
+
 /// The profile of OpenGL.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Profile {
@@ -8,6 +10,11 @@ pub enum Profile {
     Core,
     /// The compatibility profile, with the old fixed functions.
     Compatibility,
+}
+
+words! { Profile, "profile of OpenGL",
+    Core "core" "Without the functions that OpenGL 3.1 removed",
+    Compatibility "compatibility" "With the old fixed functions",
 }
 
 /// A headless context. It ends when this is dropped.

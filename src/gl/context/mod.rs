@@ -22,6 +22,7 @@ use self::native::Native;
 use crate::error::{Attempt, Error, Result};
 use crate::gl::driver::Driver;
 use crate::gl::more::More;
+use crate::words::{Words, words};
 
 pub(in crate::low_level::gl) use self::current::Away;
 pub use self::headless::Profile;
@@ -44,6 +45,11 @@ pub enum Backend {
     Egl,
     /// libOSMesa.
     OsMesa,
+}
+
+words! { Backend, "backend",
+    Egl "egl" "EGL, which needs no display",
+    OsMesa "osmesa" "OSMesa, which Mesa has up to 25.0",
 }
 
 /// The wanted kind of context.
@@ -164,7 +170,20 @@ impl Drop for Context {
 
 fn from_environment() -> Result<Option<Backend>> {
     match std::env::var(BACKEND_VARIABLE) {
-        Ok(name) if !name.is_empty() => name.parse().map(Some),
+        Ok(name) if !name.is_empty() => name.parse().map(Some).map_err(|_| {
+            let known = Backend::VALUES
+                .iter()
+                .map(|backend| backend.word())
+                .collect::<Vec<_>>()
+                .join(" or ");
+            Error::option(
+                "backend",
+                format!(
+                    "the environment variable {BACKEND_VARIABLE} names no backend, but '{name}'"
+                ),
+                format!("set it to {known}, or unset it"),
+            )
+        }),
         _ => Ok(None),
     }
 }
@@ -223,33 +242,6 @@ fn one_at_a_time() -> MutexGuard<'static, ()> {
     static LIFETIMES: Mutex<()> = Mutex::new(());
     // It guards no data, so a panic while it was held leaves nothing half done.
     LIFETIMES.lock().unwrap_or_else(PoisonError::into_inner)
-}
-
-impl fmt::Display for Backend {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Egl => "egl",
-            Self::OsMesa => "osmesa",
-        })
-    }
-}
-
-impl std::str::FromStr for Backend {
-    type Err = Error;
-
-    fn from_str(name: &str) -> Result<Self> {
-        match name {
-            "egl" => Ok(Self::Egl),
-            "osmesa" => Ok(Self::OsMesa),
-            _ => Err(Error::option(
-                "backend",
-                format!("there is no backend '{name}'"),
-                format!(
-                    "use egl or osmesa, here or in the environment variable {BACKEND_VARIABLE}"
-                ),
-            )),
-        }
-    }
 }
 
 impl fmt::Debug for Context {

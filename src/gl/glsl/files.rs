@@ -37,10 +37,11 @@ impl Files {
     pub(in crate::low_level::gl) fn set(&mut self, name: &str, text: &str) -> Result<()> {
         let is_whole = WHOLE.iter().any(|ending| name.ends_with(ending));
         if !is_whole && !name.ends_with(".glsl") {
-            return Err(Error::usage(
-                format!("'{name}' is not the name of a shader's file"),
-                "A name ends in .frag, .vert or .comp, or in .glsl if other files include it.",
-            ));
+            return Err(Error::FileName {
+                path: name.into(),
+                kind: "shader",
+                remedy: "A name ends in .frag, .vert or .comp, or in .glsl if other files include it.",
+            });
         }
         // What is defined for a shader is put behind its first line.
         if is_whole && !text.starts_with("#version ") {
@@ -110,8 +111,9 @@ mod tests {
         let mut files = Files::default();
         let version = "#version 430 core\n";
         for name in ["glow", "glow.txt", ""] {
-            let error = files.set(name, version).unwrap_err().to_string();
-            assert!(error.contains(&format!("'{name}'")), "{error}");
+            let error = files.set(name, version).unwrap_err();
+            let named = matches!(&error, Error::FileName { path, .. } if path.as_os_str() == name);
+            assert!(named, "{error}");
         }
         for text in ["", "\n#version 430 core\n", "void main() {}\n"] {
             let error = files.set("glow.frag", text).unwrap_err().to_string();

@@ -1,7 +1,7 @@
 //! The options of A-buffers, by name.
 
 use super::super::choice::{AS_PRINTED, Choice, LITERAL, Setter, Takes, number, read};
-use super::options::{ABufferOptions, ArraySort, Fill, Keep, RecordColor};
+use super::options::{ABufferOptions, ArraySort, Fill, Keep, Manager, RecordColor};
 use crate::steps::Reading;
 use crate::words::{Words, words};
 
@@ -78,6 +78,13 @@ const FIXED_LAYERS: Choice = Choice {
     help: "For ffb, give every pixel room for N fragments, and do not count them in a pass of its own. Fragments for which \
            there is no room are lost, and counted [default: count first, and have room for all]",
 };
+
+// It is no option: the methods' names begin with it.
+words! { Manager, "memory manager",
+    Ffb "ffb" "Fixed Fragment Buffer",
+    Dfb "dfb" "Dynamic Fragment Buffer",
+    Ppll "ppll" "Per-Pixel Linked Lists",
+}
 
 const FILL: Choice = Choice {
     name: "fill",

@@ -8,6 +8,7 @@ use crate::methods::algorithm::{Algorithm, Setup};
 use crate::methods::choice::Setter;
 use crate::methods::entry::{EXACT_BY_RAYS, Entry, Memory, Ties, Volumes};
 use crate::methods::technique::{Published, Technique};
+use crate::words::Words;
 
 const fn entry(name: &'static str, manager: Manager, pp_dp: bool) -> Entry {
     Entry {
@@ -161,7 +162,7 @@ impl Published for ABufferOptions {
 
     fn variants() -> Vec<Self> {
         let mut all = Vec::new();
-        for manager in [Manager::Ffb, Manager::Dfb, Manager::Ppll] {
+        for &manager in Manager::VALUES {
             for [pp_dp, pp_ao] in [[false, false], [false, true], [true, false], [true, true]] {
                 all.push(Self {
                     manager,

@@ -376,7 +376,19 @@ impl ABuffer {
 
 #[cfg(test)]
 mod tests {
+    use super::super::technique::Published;
     use super::*;
+
+    #[test]
+    fn a_method_s_name_begins_with_its_manager_s_word() {
+        for method in <ABufferOptions as Published>::variants() {
+            let (manager, name) = (method.manager, method.entry().name);
+            assert_eq!(
+                name.split('+').next().unwrap().parse::<Manager>().unwrap(),
+                manager
+            );
+        }
+    }
 
     #[test]
     fn segments_that_no_pixel_needs_are_left_out_but_not_as_printed() {

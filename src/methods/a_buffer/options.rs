@@ -1,4 +1,7 @@
 //! Options of A-buffers.
+//!
+//! What the paper lists in full, or what has only two answers, can be matched without a wildcard. The rest is
+//! `non_exhaustive`, because there are more ways to sort and to fill than these.
 
 pub use crate::gl::network::LARGEST_NETWORK;
 use crate::steps::Reading;
@@ -18,6 +21,7 @@ pub enum Manager {
 
 /// The sort of a Local Array. The result does not depend on it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub enum ArraySort {
     /// The quicker one: insertion if most pixels have few fragments, otherwise a network.
     #[default]
@@ -31,6 +35,7 @@ pub enum ArraySort {
 
 /// How fragments find their places in the lists.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub enum Fill {
     /// Framebuffer fetch where the driver has it, otherwise atomics.
     #[default]

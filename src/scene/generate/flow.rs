@@ -11,6 +11,7 @@ use crate::scene::chance::Chance;
 
 /// A steady flow.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum Flow {
     /// A vortex with a jet. Of its lattice only the size matters.
     Swirl(Swirl),

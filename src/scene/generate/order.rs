@@ -5,6 +5,7 @@ use crate::words::words;
 
 /// An order of submission, for an eye on the +z side.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum SubmissionOrder {
     /// The nearest surface first. Of two surfaces at the same depth, the one with the smaller number first.
     FrontToBack,

@@ -25,6 +25,7 @@ pub struct Ejection {
 
 /// One of the two fields.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum EjectionPart {
     /// The density of particles. The front sweeps up a shell. A wind around the plane z = 0 thins out with the squared
     /// distance, in two spiral arms as a turning sun winds them (Parker 1958).
