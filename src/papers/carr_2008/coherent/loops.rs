@@ -118,8 +118,9 @@ pub const FROM_THE_NEAR_PLANE: Listing = Listing {
     source: "Carr et al. 2008, section 5.1",
     dialect: Dialect::Calls,
     steps: steps! {
-        prose "we then initialize another depth map (which we call D(sc)) to the z-near plane";
+        edition "maps are drawn to through framebuffers";
         glBindFramebuffer(BOUND);
+        prose "we then initialize another depth map (which we call D(sc)) to the z-near plane";
         glClearDepth(0.0);
         glDepthMask(true);
         glClear(DEPTH_BUFFER_BIT);
@@ -262,11 +263,13 @@ pub const UPDATE_D_SC: Listing = Listing {
     source: "Carr et al. 2008, section 5.2",
     dialect: Dialect::Calls,
     steps: steps! {
-        prose "we update D(sc) to be the min of z_min_prev, z_min_post, and opaque_depth";
+        edition "maps are drawn to through framebuffers";
         glBindFramebuffer(BOUND);
+        edition "the draw writes the depth of every pixel";
         glDisable(STENCIL_TEST);
         glEnable(DEPTH_TEST);
         glDepthFunc(ALWAYS);
+        prose "we update D(sc) to be the min of z_min_prev, z_min_post, and opaque_depth";
         glUseProgram(NEXT_BOUND);
         drawScreen();
     },
