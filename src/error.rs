@@ -7,8 +7,8 @@ mod printable;
 use std::io;
 use std::path::PathBuf;
 
-pub use nearest::did_you_mean;
-pub(crate) use nearest::{nearest, with_slashes};
+pub(crate) use nearest::with_slashes;
+pub use nearest::{did_you_mean, nearest};
 pub use place::Place;
 use place::shown;
 pub use printable::{printable, printable_json, printable_lines};

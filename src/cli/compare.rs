@@ -110,7 +110,7 @@ impl Compare {
             if let Some(hanging) = hanging(&results) {
                 say(hanging)?;
             }
-            if let Some(lists) = table_of_lists(&results) {
+            if let Some(lists) = table_of_lists(&results, self.readings) {
                 say(format_args!("\n{lists}"))?;
             }
         }
@@ -208,20 +208,13 @@ fn table(results: &[Row], readings: bool) -> Table {
     ];
     // Which reading, and why it stopped, where it may not have ended by itself.
     let shown = |column: &usize| readings || ![1, header.len() - 1].contains(column);
-    let shown: Vec<usize> = (0..header.len()).filter(shown).collect();
-    let mut table = empty_table(
-        &shown
-            .iter()
-            .map(|&column| header[column])
-            .collect::<Vec<_>>(),
-    );
-    for Row {
-        stats,
-        error,
-        reading,
-    } in results
-    {
-        let cells = [
+    let rows = results.iter().map(|row| {
+        let Row {
+            stats,
+            error,
+            reading,
+        } = row;
+        [
             stats.method.clone(),
             reading.unwrap_or_default().into(),
             stats.iterations.to_string(),
@@ -234,16 +227,16 @@ fn table(results: &[Row], readings: bool) -> Table {
             format!("{:.2e}", error.real.max),
             format!("{:.2e}", error.real.rms),
             stats.stopped_text(),
-        ];
-        table.add_row(shown.iter().map(|&column| cells[column].clone()));
-    }
-    numbers_to_the_right(table)
+        ]
+    });
+    table_of(&header, shown, rows)
 }
 
 /// The costs of fragment lists, for the methods that have them.
-fn table_of_lists(results: &[Row]) -> Option<Table> {
-    let mut table = empty_table(&[
+fn table_of_lists(results: &[Row], readings: bool) -> Option<Table> {
+    let header = [
         "fragment lists",
+        "reading",
         "bands",
         "list MiB",
         "records read",
@@ -251,28 +244,41 @@ fn table_of_lists(results: &[Row]) -> Option<Table> {
         "most",
         "slots reserved",
         "used",
-    ]);
-    for Row { stats, .. } in results {
-        if let Some(counts) = &stats.a_buffer {
-            table.add_row([
-                stats.method.clone(),
-                counts.bands.to_string(),
-                mebibytes(counts.list_bytes),
-                counts.records_read.to_string(),
-                counts.subpasses.to_string(),
-                counts.most_subpasses.to_string(),
-                counts.slots_reserved.to_string(),
-                counts.slots_used.to_string(),
-            ]);
-        }
-    }
-    (table.row_count() > 0).then(|| numbers_to_the_right(table))
+    ];
+    let shown = |column: &usize| readings || *column != 1;
+    let rows = results.iter().filter_map(|row| {
+        let counts = row.stats.a_buffer.as_ref()?;
+        Some([
+            row.stats.method.clone(),
+            row.reading.unwrap_or_default().into(),
+            counts.bands.to_string(),
+            mebibytes(counts.list_bytes),
+            counts.records_read.to_string(),
+            counts.subpasses.to_string(),
+            counts.most_subpasses.to_string(),
+            counts.slots_reserved.to_string(),
+            counts.slots_used.to_string(),
+        ])
+    });
+    let table = table_of(&header, shown, rows);
+    (table.row_count() > 0).then_some(table)
 }
 
-fn empty_table(header: &[&str]) -> Table {
+/// A table of the columns that are shown.
+fn table_of<const COLUMNS: usize>(
+    header: &[&str; COLUMNS],
+    shown: impl Fn(&usize) -> bool,
+    rows: impl Iterator<Item = [String; COLUMNS]>,
+) -> Table {
+    let shown: Vec<usize> = (0..COLUMNS).filter(shown).collect();
     let mut table = Table::new();
-    table.load_style(presets::NOTHING).set_header(header);
     table
+        .load_style(presets::NOTHING)
+        .set_header(shown.iter().map(|&column| header[column]));
+    for cells in rows {
+        table.add_row(shown.iter().map(|&column| &cells[column]));
+    }
+    numbers_to_the_right(table)
 }
 
 /// The cells after the method's name.

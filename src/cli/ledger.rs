@@ -4,7 +4,7 @@ use std::fmt::Display;
 use std::process::ExitCode;
 
 use comfy_table::{ColumnConstraint, ContentArrangement, Table, Width, presets};
-use onionskin::low_level::error::did_you_mean;
+use onionskin::low_level::error::nearest;
 use onionskin::low_level::papers::{Paper, papers};
 use onionskin::{Error, Result};
 use serde::Serialize;
@@ -59,18 +59,39 @@ fn chosen<R: Ledger>(name: Option<&str>) -> Result<Vec<Row<R>>> {
     let Some(name) = name else {
         return Ok(chosen);
     };
-    let having = papers().iter().filter(|paper| !R::of(paper).is_empty());
-    let having: Vec<&str> = having.map(|paper| paper.key).collect();
-    let keys: Vec<&str> = chosen.iter().map(|(_, row)| row.key()).collect();
-    let known = [&having[..], &keys].concat();
-    chosen.retain(|(paper, row)| paper.key == name || row.key().eq_ignore_ascii_case(name));
-    if chosen.is_empty() {
-        return Err(Error::usage(
-            format!("there is no {} and no paper '{name}'", R::CALLED[0]),
-            did_you_mean(name, &known),
-        ));
+    chosen.retain(|(paper, row)| {
+        [paper.key, row.key()]
+            .iter()
+            .any(|key| key.eq_ignore_ascii_case(name))
+    });
+    match chosen.is_empty() {
+        true => Err(unknown::<R>(name)),
+        false => Ok(chosen),
     }
-    Ok(chosen)
+}
+
+/// The error for a name that is no paper's and no row's: what was probably meant, and the papers with the keys of their
+/// rows, from the first to the last.
+fn unknown<R: Ledger>(name: &str) -> Error {
+    let papers = papers().iter().filter(|paper| !R::of(paper).is_empty());
+    let (mut known, mut listed) = (Vec::new(), Vec::new());
+    for paper in papers {
+        let keys = R::of(paper).iter().map(Ledger::key);
+        known.push(paper.key);
+        known.extend(keys);
+        if let [first, .., last] = R::of(paper) {
+            listed.push(format!("{} ({} to {})", paper.key, first.key(), last.key()));
+        }
+    }
+    let meant = nearest(name, &known).map(|meant| format!("Did you mean '{meant}'? "));
+    Error::usage(
+        format!("there is no {} and no paper '{name}'", R::CALLED[0]),
+        format!(
+            "{}Known are: {}.",
+            meant.unwrap_or_default(),
+            listed.join(", ")
+        ),
+    )
 }
 
 /// Prints the rows of each paper under its name. A single row comes with its tests.

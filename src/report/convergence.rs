@@ -141,13 +141,14 @@ impl Chart<'_> {
 }
 
 impl Curves {
-    /// The powers of ten around all values.
+    /// From the power of ten below all values to some way above them: the upper two sevenths are for the legend, which has
+    /// no place where no curve may go.
     fn range(&self) -> std::ops::Range<f64> {
         let values = || self.curves.iter().flat_map(|(_, values)| values).copied();
         let power = |value: f64| value.max(1e-12).log10();
         let low = power(values().fold(f64::INFINITY, f64::min)).floor();
-        let high = power(values().fold(0.0, f64::max)).ceil();
-        10_f64.powf(low)..10_f64.powf(high.max(low + 1.0))
+        let high = power(values().fold(0.0, f64::max)).ceil().max(low + 1.0);
+        10_f64.powf(low)..10_f64.powf(low + (high - low) * 7.0 / 5.0)
     }
 }
 
@@ -175,6 +176,16 @@ mod tests {
         assert_eq!(text.matches("<polygon").count(), 2 + 1, "{text}");
         for label in ["slices", "error", "cost", "16", "32", "64"] {
             assert!(text.contains(&format!("{label}\n")), "no {label}: {text}");
+        }
+    }
+
+    #[test]
+    fn no_curve_comes_under_the_legend() {
+        for values in [&[1.0, 10.0, 999.0][..], &[0.5], &[1e-13, 1e5]] {
+            let range = curves("any", values).range();
+            let top = values.iter().fold(0.0, |a: f64, b| a.max(*b));
+            let part = (top / range.start).log10() / (range.end / range.start).log10();
+            assert!(part <= 5.0 / 7.0 + 1e-9, "{values:?} {range:?}");
         }
     }
 }

@@ -298,7 +298,7 @@ claims! {
                 and coherent layer peeling linearly.",
         evidence: "So do the triangles that are drawn, which are counted here: twice as many slices are nearly 4 \
                    times as many by layer peeling, and twice as many by the others while their iterations are \
-                   constant (C04). `examples/24_figure_3.rs` plots iterations and times to 512 slices.",
+                   constant (C04). `examples/24_figure_3.rs` plots iterations and times to 384 slices.",
         tests: [
             gl::figure_3::c27_work_grows_with_the_square_of_the_slices_for_layer_peeling_only,
             gl::claims_carr_work::c04_c27_past_192_slices_the_128_an_iteration_show,
