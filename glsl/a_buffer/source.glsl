@@ -7,7 +7,8 @@ uniform uint first_triangle;
 
 #include "common/fragment_depth.glsl"
 
-#if VOLUMES
+// Of marked pixels' lists, VOLUMES are those of slices.
+#if VOLUMES && !MARKED
 uniform uint volume;    // the number of the volume whose box is drawn; NO_VOLUME for surfaces
 
 const uint NO_VOLUME = 0xFFFFFFFFu;

@@ -211,7 +211,13 @@ impl ProgramSet {
             slice: key
                 .slices
                 .as_ref()
-                .map(|slices| with("surface/slice.frag", &[&key.defines[..], slices].concat()))
+                .map(|slices| {
+                    // Lists that are filled from slices have no volumes of their own.
+                    let is_other = |own: &&Define| slices.iter().all(|(name, _)| *name != own.0);
+                    let others = key.defines.iter().filter(is_other);
+                    let defines: Vec<_> = others.chain(slices).copied().collect();
+                    with("surface/slice.frag", &defines)
+                })
                 .transpose()?,
             mixed: key
                 .mixed

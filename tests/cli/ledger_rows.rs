@@ -4,6 +4,10 @@ use onionskin::papers;
 
 use crate::kit::cli::Desk;
 
+fn array(value: &serde_json::Value) -> &[serde_json::Value] {
+    value.as_array().unwrap()
+}
+
 fn result(arguments: &[&str]) -> String {
     Desk::new().result(arguments)
 }
@@ -23,6 +27,10 @@ fn as_json_every_row_is_an_object_with_the_keys_that_the_help_names() {
         for object in &objects {
             let keys: Vec<_> = object.keys().map(String::as_str).collect();
             assert_eq!(keys, expected);
+            for figure in object.get("figures").into_iter().flat_map(array) {
+                let keys: Vec<_> = figure.as_object().unwrap().keys().collect();
+                assert_eq!(keys, ["here", "of", "paper"]);
+            }
         }
         for key in expected {
             assert!(help.contains(key), "{key}: {help}");
@@ -70,6 +78,7 @@ fn a_paper_gives_its_rows_and_a_key_in_any_case_one_with_its_tests() {
         ("errata", "LX14", "gl::claims_lindholm::l08_"),
     ] {
         let of_paper = result(&[command, "lindholm"]);
+        assert_eq!(of_paper, result(&[command, "LINDHOLM"]));
         let of_key = result(&[command, key]);
         assert_eq!(of_key, result(&[command, &key.to_lowercase()]));
         for text in [&of_paper, &of_key] {
@@ -123,12 +132,26 @@ fn an_unknown_name_is_refused_with_what_was_meant_and_what_there_is() {
         ("errata", "CXX16", "'CX16'"),
     ] {
         let answer = Desk::new().refused(&[command, name]);
-        answer.says(&[
-            &format!("'{name}'"),
-            &format!("Did you mean {meant}"),
-            "everitt, vtk, carr, lindholm, ",
-        ]);
+        answer.says(&[&format!("'{name}'"), &format!("Did you mean {meant}")]);
+        // Of each paper the first and the last key, and not all in between.
+        for paper in papers() {
+            let keys: Vec<_> = match command {
+                "claims" => paper.claims.iter().map(|claim| claim.key).collect(),
+                _ => paper.errata.iter().map(|erratum| erratum.key).collect(),
+            };
+            if let [first, .., last] = keys[..] {
+                answer.says(&[&format!("{} ({first} to {last})", paper.key)]);
+            }
+        }
     }
+    for name in ["nonsense", "carr/pass-1", ""] {
+        Desk::new()
+            .refused(&["errata", name])
+            .says(&[&format!("'{name}'"), "Known are: everitt (EX01 to "]);
+    }
+    Desk::new()
+        .refused(&["claims", "C01", "C02"])
+        .says(&["'C02'"]);
     // A paper without rows is none here.
     Desk::new()
         .refused(&["errata", "bavoil"])

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use onionskin::low_level::papers::carr_2008::coherent::MOVE_DEPTH;
 use onionskin::low_level::scene::Shading;
 use onionskin::low_level::steps::{Amendment, Reason};
-use onionskin::options::{ABufferOptions, ArraySort, CoherentOptions, Reading, Variant};
+use onionskin::options::{ArraySort, CoherentOptions, Reading, Variant};
 use onionskin::{Context, CountBy, Frame, Method, Renderer, Scene, registry};
 
 use crate::kit::bounds::F32;
@@ -89,13 +89,15 @@ fn reason(method: &Method, deepest: u32) -> Option<Reason> {
         Method::DepthPeeling(options) if options.reading != Reading::Amended => {
             Some(Reason::PeelLimit)
         }
-        // As printed, ppAO leaves nothing to ppDP: what its last segment does not hold is in none.
+        // As printed, ppAO leaves nothing to ppDP: what its last segment does not hold is in none. Literally nothing is
+        // counted, and all pixels are in every segment.
         Method::ABuffer(options) => {
-            let peels = options.pp_dp && (!options.pp_ao || options.reading == Reading::Amended);
+            let peels = options.pp_dp && (!options.pp_ao || options.reading != Reading::AsPrinted);
             (deepest > options.array && !peels).then_some(Reason::ArrayFull)
         }
         Method::Blend
         | Method::Painter
+        | Method::VerifiedPainter
         | Method::WeightedBlended(_)
         | Method::MultiLayerAlphaBlending(_)
         | Method::Exact => None,
@@ -140,9 +142,8 @@ fn read(mut method: Method, reading: Reading) -> Method {
 /// The most amended of the readings that run the same text. Most texts have no gap, and some nothing that is wrong.
 fn with_the_text_of(method: &Method, reading: Reading) -> Reading {
     let (filled, amended) = match method {
-        Method::ABuffer(ABufferOptions { pp_ao, pp_dp, .. }) => {
-            (*pp_dp && !*pp_ao, *pp_ao || *pp_dp)
-        }
+        Method::ABuffer(options) if options.pp_ao || options.pp_dp => (true, true),
+        Method::ABuffer(_) => (false, false),
         Method::CoherentLayerPeeling(_) => (true, true),
         method => (false, method.has(Reading::AsPrinted.name())),
     };

@@ -94,3 +94,24 @@ fn work_of_some_seconds_draws_no_progress_where_there_is_no_terminal() {
     let out = desk.result(&["compare", "long.toml", "-m", "depth-peeling"]);
     assert!(!out.contains(['\r', '\u{1b}']), "{out}");
 }
+
+#[test]
+fn in_every_reading_both_tables_say_which() {
+    let out = desk().result(&["compare", "sheets.toml", "-m", "ppll+ppdp", "--readings"]);
+    let readings = ["literal", "as-printed", "amended"];
+    for table in ["method ", "fragment lists "] {
+        let rows = out
+            .lines()
+            .skip_while(|line| !line.trim_start().starts_with(table));
+        let rows: Vec<_> = rows.take(4).collect();
+        assert!(rows[0].contains("reading"), "{out}");
+        for (row, reading) in rows[1..].iter().zip(readings) {
+            let mut words = row.split_whitespace();
+            assert_eq!(
+                (words.next(), words.next()),
+                (Some("ppll+ppdp"), Some(reading)),
+                "{out}"
+            );
+        }
+    }
+}

@@ -193,8 +193,9 @@ claims! {
         ],
         evidence: "ppAO reserves and reads exactly what the static array does. ppDP needs an eighth of the array and \
                    reads the list eight times. The paper's termination changes nothing, since 0.0375 of the light \
-                   comes through all 64. The speed is not reproduced: a software renderer has no local memory to \
-                   save, and `benches/a_buffer.rs` prints that ppDP takes longer.",
+                   comes through all 64. The speed is not reproduced. It was measured on llvmpipe alone, which \
+                   renders on a CPU and has no local memory to save: there `benches/a_buffer.rs` prints that ppDP \
+                   takes longer.",
         tests: [
             gl::claims_lindholm_resolve::l18_sixty_four_quads_cost_what_figure_7_says_they_must,
             gl::claims_lindholm_conditions::l18_figure_7_is_the_same_with_the_paper_s_termination,
@@ -209,8 +210,8 @@ claims! {
         ],
         evidence: "What the two are made for is there: on scenes after the paper's, under its conditions, ppAO and \
                    ppDP reserve a fourth to a sixteenth of a static array's elements. ppDP pays with reading lists \
-                   again. The speed is not reproduced: on a software renderer the bars of `benches/fused.rs` are all \
-                   nearly one.",
+                   again. The speed is not reproduced. It was measured on llvmpipe alone, which renders on a CPU: \
+                   there the bars of `benches/fused.rs` are all nearly one.",
         tests: [gl::claims_lindholm_conditions::l19_l25_figure_6_under_the_paper_s_conditions_and_exactly],
     }
     L20 ("figure 2") InKind {
@@ -242,8 +243,9 @@ claims! {
             ("records read for arrays of 1, 2, 4, 8, 16, 32", "-", "220635, 112366, 61740, 37139, 23651, 21803"),
             ("part of the array that is used", "-", "100%, 100%, 89%, 69%, 44%, 22%"),
         ],
-        evidence: "The trade is there: a larger array reads less and is used less. That 8 is the best is about times \
-                   on four GPUs. Counts have no best size, and nothing here says that 8 is one.",
+        evidence: "The trade is there: a larger array reads less and is used less. Both are counted, and the same on \
+                   every renderer. Which size is the best, the paper has measured as times on its GPUs. Counts have \
+                   no best size, and no times were taken here, so nothing here says that 8 is the best.",
         tests: [gl::claims_lindholm_conditions::l22_in_counts_no_array_size_of_pp_dp_is_the_best],
     }
     L23 ("section 4, Managing Global GPU Memory") InKind {
