@@ -18,6 +18,9 @@ use super::setup::Setup;
 /// Renders the scene exactly, compares, and writes a difference picture of three panels: the image, the exact image,
 /// and their difference made visible. Exits with 1 if a channel of a pixel differs by more than the bound. If the
 /// difference looks like one of the usual mistakes (sRGB, alpha, flips, shifts, channels, background), it says which.
+///
+/// Pixels whose colour hangs on a difference of depth that a depth buffer cannot hold are counted apart, and pass. As the
+/// image may be a GPU's, corners of triangles are allowed to be off by half of 1/256 of a pixel.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Check {
