@@ -114,7 +114,16 @@ impl Gl {
 
     fn backend(&self) -> Result<Option<Backend>> {
         let backend = self.backend.as_deref().filter(|name| !name.is_empty());
-        backend.map(str::parse).transpose()
+        let known = |name: &str| {
+            name.parse().map_err(|_| {
+                Error::option(
+                    "backend",
+                    format!("there is no backend '{name}'"),
+                    "choose egl or osmesa, by the option or by the variable ONIONSKIN_BACKEND",
+                )
+            })
+        };
+        backend.map(known).transpose()
     }
 }
 
