@@ -160,12 +160,14 @@ fn fitted_eye(bounds: &Bounds, target: DVec3, up: DVec3, fov: f64, aspect: f64) 
         half / tangent - seen.dot(axes.forward)
     });
     let distance = needed.into_iter().fold(0.0, f64::max);
-    // A single point has no size. The second term keeps the eye away from the target where 1 is lost in rounding.
+    // A single point has no size.
     let distance = if distance > 0.0 {
         distance
     } else {
         1.0_f64.max(target.abs().max_element() * 1e-6)
     };
+    // Where so small a distance is lost in rounding, it would leave the eye at the target: some fifty roundings are kept.
+    let distance = distance.max(target.abs().max_element() * 1e-14);
     target - axes.forward * distance
 }
 

@@ -2,6 +2,7 @@
 
 use crate::kit::scene::{obj, toml};
 use glam::{DVec3, Vec4Swizzles};
+use crate::kit::scene::Folder;
 use onionskin::Camera;
 use onionskin::low_level::scene::{Bounds, PartialCamera};
 use proptest::prelude::*;
@@ -184,6 +185,14 @@ fn a_model_of_nothing_but_degenerate_triangles_has_a_camera() {
     let scene = obj("v 3 3 3\nf 1 1 1\n");
     assert_eq!(scene.triangle_count(), 0);
     assert!(scene.camera.check().is_ok());
+}
+
+/// A model as long as a step, 3e38 away, where a distance of a step is lost in rounding.
+#[test]
+fn a_model_that_is_small_for_its_place_has_a_camera() {
+    let text = "v 0 0 0\nv -3e38 0 3e38\nv -3e38 1 3e38\nv 0 0 0\nf -2 -3 -2\n";
+    let scene = Folder::new().with("m.obj", text).load("m.obj").unwrap();
+    assert!(scene.camera.check().is_ok(), "{:?}", scene.camera);
 }
 
 #[test]
