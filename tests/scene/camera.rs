@@ -1,8 +1,7 @@
 //! The fitted camera sees everything, whatever is given and whatever is left out.
 
-use crate::kit::scene::{obj, toml};
+use crate::kit::scene::{Folder, obj, toml};
 use glam::{DVec3, Vec4Swizzles};
-use crate::kit::scene::Folder;
 use onionskin::Camera;
 use onionskin::low_level::scene::{Bounds, PartialCamera};
 use proptest::prelude::*;
