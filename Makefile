@@ -3,7 +3,7 @@
 
 CARGO ?= cargo
 DEMO_SCENE  := examples/scenes/molecule.toml
-DEMO_METHOD := depth-peeling
+DEMO_METHOD := verified-painter
 DEMO_IMAGE  := out/molecule.png
 
 # Cargo is parallel by itself and locks its build folder: -j would only mix the

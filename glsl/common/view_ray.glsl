@@ -9,7 +9,7 @@ float slant = length(vec3(toward * frustum.zw, 1.0));    // the ray's length ove
 #ifdef INVERSE_W
 // Of a depth as common/fragment_depth.glsl makes it.
 float distance_of(float depth) {
-    float part = uintBitsToFloat(floatBitsToUint(1.0) - floatBitsToUint(depth));    // near / w
+    float part = uintBitsToFloat(floatBitsToUint(1.0) + 0x00800000u - floatBitsToUint(depth));    // near / w
     return min(frustum.x / part, frustum.y);
 }
 #else

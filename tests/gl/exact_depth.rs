@@ -2,9 +2,13 @@
 
 use std::cell::RefCell;
 
+use crate::kit::bounds::F32;
 use crate::kit::cast::{Hit, cast};
+use crate::kit::render::example;
 use glam::{DMat3, DQuat, DVec3, Vec3};
-use onionskin::{Camera, Context, Frame, Mesh, Method, Renderer, Rgba, Scene, Vertex, registry};
+use onionskin::{
+    Camera, Comparison, Context, Frame, Mesh, Method, Renderer, Rgba, Scene, Vertex, registry,
+};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 
@@ -330,6 +334,36 @@ fn floor_and_panes() -> Scene {
         meshes.push(tilted(distance, distance, turned, color));
     }
     scene(meshes)
+}
+
+/// Planes are close around a scene, so that most of it lies nearer than twice the near plane's distance, where near / w is
+/// at least 1/2.
+#[test]
+fn by_1_over_w_every_method_keeps_apart_what_lies_close_to_the_near_plane() {
+    let context = Context::headless().unwrap();
+    let scene = example("soup", [80, 60]);
+    let mut inverse = Renderer::new(&context, 80, 60).unwrap().with_inverse_w();
+    let exact = inverse.render(&scene, &Method::Exact).unwrap();
+    let hanging = exact.hanging.unwrap().drawn;
+    let mut compared = 0;
+    for entry in registry() {
+        let here = entry.exact && entry.runs_on(context.driver());
+        if !here || entry.method == Method::Exact {
+            continue;
+        }
+        let frame = inverse.render(&scene, &entry.method).unwrap();
+        assert_eq!(frame.stats.lost, Some(0), "{}", entry.name);
+        // Colours in lists have 16 bits: 0.0015 for each channel.
+        let bound = if frame.stats.a_buffer.is_some() {
+            1.5e-3
+        } else {
+            F32
+        };
+        let off = Comparison::among(&frame.image, &exact.image, bound, |p| !hanging[p]).unwrap();
+        assert!(off.max <= bound, "{}: {}", entry.name, off.max);
+        compared += 1;
+    }
+    assert!(compared > 10, "{compared}");
 }
 
 #[test]

@@ -51,7 +51,7 @@ fn every_bundled_scene_is_exact_by_the_verified_painter() {
         let frame = render(&context, &scene, &METHOD);
         let error = error(&context, &scene, &frame);
         println!("{name}: off by {error:.1e}, {:?}", counts(&frame));
-        assert!(error <= 1e-5, "{name}: {error}");
+        assert!(error <= F32, "{name}: {error}");
         assert_eq!(frame.stats.lost, Some(0));
         marked += u32::from(counts(&frame).marked_pixels > 0);
         proved += u32::from(counts(&frame).marked_pixels == 0);

@@ -43,6 +43,23 @@ fn branch_without_one<S: Shortened>(branch: &[S], kept: &[S]) -> Vec<Vec<S>> {
     lists
 }
 
+/// A choice between two branches with either of them shorter.
+fn of_branches<S: Shortened>(
+    [then, otherwise]: [&'static [S]; 2],
+    kept: &[S],
+    of: impl Fn(&'static [S], &'static [S]) -> S,
+) -> Vec<S> {
+    let then_shorter = branch_without_one(then, kept);
+    let otherwise_shorter = branch_without_one(otherwise, kept);
+    let first = then_shorter
+        .into_iter()
+        .map(|shorter| of(shorter.leak(), otherwise));
+    let second = otherwise_shorter
+        .into_iter()
+        .map(|shorter| of(then, shorter.leak()));
+    first.chain(second).collect()
+}
+
 /// All statements, the innermost ones included.
 pub fn all<S: Shortened>(statements: &[S]) -> Vec<S> {
     let inner = statements.iter().flat_map(|statement| statement.bodies());
@@ -64,13 +81,7 @@ impl Shortened for Step {
             then,
             otherwise,
         };
-        let first = branch_without_one(then, kept)
-            .into_iter()
-            .map(|shorter| of(shorter.leak(), otherwise));
-        let second = branch_without_one(otherwise, kept)
-            .into_iter()
-            .map(|shorter| of(then, shorter.leak()));
-        first.chain(second).collect()
+        of_branches([then, otherwise], kept, of)
     }
 }
 
@@ -86,13 +97,7 @@ impl Shortened for ListLine {
             return Vec::new();
         };
         let of = |then, otherwise| Self::If(test, then, otherwise);
-        let first = branch_without_one(then, kept)
-            .into_iter()
-            .map(|shorter| of(shorter.leak(), otherwise));
-        let second = branch_without_one(otherwise, kept)
-            .into_iter()
-            .map(|shorter| of(then, shorter.leak()));
-        first.chain(second).collect()
+        of_branches([then, otherwise], kept, of)
     }
 }
 
