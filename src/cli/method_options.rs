@@ -11,8 +11,8 @@ const WITH_OPTIONS: &str = "depth-peeling";
 
 #[derive(Args)]
 pub(super) struct MethodOptions {
-    /// The method, such as exact, painter or ffb; `onionskin methods` describes all of them [default: the
-    /// quickest exact one, which is verified-painter, and dfb+ppdp for scenes with volumes; depth-peeling if one of its
+    /// The method, such as exact, painter or ffb; `onionskin methods` describes all of them [default: a quick
+    /// exact one, which is verified-painter, and dfb+ppdp for scenes with volumes or slices; depth-peeling if one of its
     /// options is given]
     #[arg(short, long)]
     method: Option<String>,
@@ -34,7 +34,7 @@ impl MethodOptions {
         Ok(method)
     }
 
-    /// `method`, or the quickest exact one for the scene if neither a method nor an option was given.
+    /// `method`, or a quick exact one for the scene if neither a method nor an option was given.
     pub(super) fn for_scene(&self, method: Method, scene: &Scene) -> Method {
         let asked = self.method.is_some() || self.slices.is_given() || self.chosen.is_any();
         match asked {

@@ -361,7 +361,11 @@ fn the_proof_is_the_emulated_pixel_s() {
 #[test]
 fn the_automatic_choice_is_exact() {
     let context = Context::headless().unwrap();
-    for (name, chosen) in [("knots", "verified-painter"), ("fog", "dfb+ppdp")] {
+    for (name, chosen) in [
+        ("knots", "verified-painter"),
+        ("slices", "dfb+ppdp"),
+        ("fog", "dfb+ppdp"),
+    ] {
         let scene = example(name, [80, 60]);
         let automatic = Method::automatic(&scene);
         assert_eq!(automatic.method.name(), chosen, "{}", automatic.why);

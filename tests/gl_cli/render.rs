@@ -119,7 +119,7 @@ fn render_as_json_prints_one_object_with_the_frames_counts() {
         assert!(object.contains_key(key), "no {key}: {answer}");
     }
     assert_eq!(object["scene"], "sheets");
-    // The quickest exact one.
+    // A quick exact one.
     assert_eq!(object["method"], "verified-painter");
     assert_eq!(object["marked_pixels"], 0);
     assert_eq!(object["iterations"], stats.iterations);
