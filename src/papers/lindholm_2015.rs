@@ -7,17 +7,26 @@
 //! `glsl/a_buffer/pp_dp.glsl`, whose lines are the pseudocode's.
 
 mod claims;
+mod complexity;
 pub mod components;
 mod errata;
 pub mod fused;
+mod names;
+
+pub use complexity::{COMPLEXITY_IMAGE, COMPLEXITY_OF_ALL, COUNT_BY_STENCIL};
+pub use names::{
+    ANCHOR, CLEARED, COST, COUNTER, COVERED, FILL, NEXT, OFFSETS, POOL, RAY_ENDS, RECORDS, RESOLVED,
+};
+use names::{
+    BEGIN, COUNT_ATOMICALLY, FILL_ATOMICALLY, FILL_IN_ORDER, RESOLVE_ALL, RESOLVE_SEGMENT,
+};
 
 use super::paper::Paper;
-use super::stage::{self, COMPLEXITY, COUNTED, IMAGE_COLOR, ONE_EACH, OPAQUE_DEPTH};
+use super::stage::{self, IMAGE_COLOR, OPAQUE_DEPTH};
 use crate::steps;
 use crate::steps::pseudo::Pseudocode;
 use crate::steps::{
-    Amendment, Dialect, Format, Framebuffer, Holds, Kind, Listing, Map, Query, Resources, Shader,
-    Storage, Target, Text, gl::*,
+    Amendment, Dialect, Format, Framebuffer, Holds, Kind, Listing, Resources, Text, gl::*,
 };
 
 /// Its texts.
@@ -84,73 +93,6 @@ pub const PAPER: Paper = Paper {
     ],
     claims: claims::CLAIMS,
     errata: errata::ERRATA,
-};
-
-/// The depth complexity image: "all geometries are rendered into an integer image; the pixels of this image act as atomic
-/// counters". Shading and blending are disabled.
-pub const COMPLEXITY_IMAGE: Listing = Listing {
-    title: "The depth complexity image, by one atomic counter a pixel",
-    source: "Lindholm et al. 2015, section 3.1",
-    dialect: Dialect::Calls,
-    steps: steps! {
-        prose "all geometries and volume bounding boxes are rendered into an integer image";
-        glBindFramebuffer(COUNTED);
-        glClearBufferuiv(0);
-        prose "when rendering the complexity image, both shading and blending are disabled";
-        glColorMask(false, false, false, false);
-        glDepthMask(false);
-        glDisable(BLEND);
-        prose "the pixels of this image act as atomic counters and are incremented by the incoming fragments";
-        glBindImageTexture(0, COMPLEXITY);
-        glUseProgram(COUNT_ATOMICALLY);
-        drawTransparentObjects();
-        glMemoryBarrier();
-        edition "as it was before";
-        glColorMask(true, true, true, true);
-        glDepthMask(true);
-    },
-};
-
-/// The same with all geometry, as the paper has it: no word is said of opaque surfaces and of what they hide.
-pub const COMPLEXITY_OF_ALL: Listing = Listing {
-    title: "The depth complexity image of all geometry",
-    source: "Lindholm et al. 2015, section 3.1",
-    dialect: Dialect::Calls,
-    steps: steps! {
-        glDisable(DEPTH_TEST);
-        run COMPLEXITY_IMAGE;
-        glBindFramebuffer(COUNTED);
-        glColorMask(false, false, false, false);
-        glDepthMask(false);
-        glDisable(DEPTH_TEST);
-        drawOpaqueObjects();
-        glMemoryBarrier();
-        glColorMask(true, true, true, true);
-        glDepthMask(true);
-    },
-};
-
-/// The same count by the stencil buffer: at most 255.
-pub const COUNT_BY_STENCIL: Listing = Listing {
-    title: "The depth complexity image, by the stencil buffer",
-    source: "Lindholm et al. 2015, section 6.2",
-    dialect: Dialect::Calls,
-    steps: steps! {
-        prose "the ppAO component is implemented using an 8bit stencil buffer";
-        glBindFramebuffer(COUNTED);
-        glClearStencil(0);
-        glClear(STENCIL_BUFFER_BIT);
-        glColorMask(false, false, false, false);
-        glDepthMask(false);
-        glEnable(STENCIL_TEST);
-        glStencilFunc(ALWAYS, 0, 0xFF);
-        glStencilOp(KEEP, KEEP, INCR);
-        glUseProgram(ONE_EACH);
-        drawTransparentObjects();
-        glDisable(STENCIL_TEST);
-        glColorMask(true, true, true, true);
-        glDepthMask(true);
-    },
 };
 
 /// Nothing has been resolved yet.
@@ -482,37 +424,3 @@ pub const RESOLVING: Resources = Resources {
     )],
     ..Resources::NONE
 };
-
-/// One counter per pixel, which the Fill Step counts up from 0 or from the pixel's base offset.
-pub const COUNTER: Map = Map::named("fragment counter");
-/// For PPLL that is filled by atomics, the number of the node at which each pixel's list begins, plus 1, or 0 for an
-/// empty list.
-pub const ANCHOR: Map = Map::named("list anchor");
-/// The costs of each pixel's resolve: records read, fragments composited, subpasses, and the elements of the Local
-/// Array that were reserved (upper half) and used.
-pub const COST: Map = Map::named("resolve cost");
-/// A copy of the opaque depth, because a map that is looked up must not be part of the framebuffer.
-pub const RAY_ENDS: Map = Map::named("ray ends");
-/// The global memory pool: fragment records.
-pub const RECORDS: Storage = Storage("fragment records");
-/// For PPLL, the number of the record after each record, plus 1. A list ends by its length.
-pub const NEXT: Storage = Storage("list links");
-/// For DFB, and for PPLL that is filled in order, each pixel's base offset into the pool.
-pub const OFFSETS: Storage = Storage("base offsets");
-/// For PPLL that is filled by atomics, the number of nodes that have been taken from the pool.
-pub const POOL: Storage = Storage("node pool");
-/// The counters and anchors, to be cleared.
-pub const CLEARED: Target = Target("clear");
-/// The framebuffer in which lists are filled.
-pub const FILL: Target = Target("fill");
-/// The framebuffer in which lists are resolved: the image over opaque geometry, and [`COST`].
-pub const RESOLVED: Target = Target("resolve");
-/// The covered pixels that a resolve draws.
-pub const COVERED: Query = Query("resolved pixels");
-
-const COUNT_ATOMICALLY: Shader = Shader("a_buffer/count");
-const BEGIN: Shader = Shader("a_buffer/begin");
-const FILL_ATOMICALLY: Shader = Shader("a_buffer/fill");
-const FILL_IN_ORDER: Shader = Shader("a_buffer/fill_ordered");
-const RESOLVE_ALL: Shader = Shader("a_buffer/resolve");
-const RESOLVE_SEGMENT: Shader = Shader("a_buffer/resolve_segment");
