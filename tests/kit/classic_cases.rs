@@ -1,6 +1,7 @@
 //! What the OpenGL of 2001 is tried on: triangles, and what two texture units make of them.
 
 use std::collections::BTreeMap;
+use std::fmt::Debug;
 
 use glam::{DVec3, Vec3};
 use onionskin::low_level::steps::{Compare, DepthTextureMode, gl::*};
@@ -86,7 +87,64 @@ pub fn scene(triangles: &[[Corner; 3]]) -> Scene {
     }
 }
 
-pub fn cases() -> impl Strategy<Value = Case> {
+/// What a driver compiles a program for: each combination of these words is another one.
+#[derive(Clone, Debug)]
+pub struct Words {
+    units: [UnitWords; 2],
+    alpha: Option<Compare>,
+    depth: Format,
+}
+
+type UnitWords = ((Looked, Option<Compare>), DepthTextureMode, bool);
+
+/// So many combinations hold every word of a unit with every comparison, twice in each of the units.
+const COMBINATIONS: usize = 48;
+
+/// Combinations of words in which every word is as frequent as any other of its kind. Which ones meet is random.
+pub fn words() -> impl Strategy<Value = Vec<Words>> {
+    let unit = || {
+        let modes = vec![
+            DepthTextureMode::Luminance,
+            DepthTextureMode::Intensity,
+            DepthTextureMode::Alpha,
+        ];
+        (dealt(looks()), dealt(modes), dealt(vec![false, true]))
+    };
+    let mut alpha = COMPARISONS.map(Some).to_vec();
+    alpha.extend([None; 2]);
+    let depths = vec![Format::Depth32FStencil8, Format::Depth24Stencil8];
+    (unit(), unit(), dealt(alpha), dealt(depths)).prop_map(|(first, second, alpha, depths)| {
+        let of = |unit: &(Vec<_>, Vec<_>, Vec<_>), i| (unit.0[i], unit.1[i], unit.2[i]);
+        let all = (0..COMBINATIONS).map(|i| Words {
+            units: [of(&first, i), of(&second, i)],
+            alpha: alpha[i],
+            depth: depths[i],
+        });
+        all.collect()
+    })
+}
+
+/// What a unit looks up, and the comparison of what is looked up in a depth texture.
+fn looks() -> Vec<(Looked, Option<Compare>)> {
+    let mut looks = Vec::new();
+    for looked in [Looked::Nothing, Looked::Color] {
+        looks.extend([(looked, None), (looked, Some(LEQUAL))]);
+    }
+    for looked in [Looked::Depth, Looked::Rectangle] {
+        looks.extend([(looked, None); 2]);
+        looks.extend(COMPARISONS.map(|func| (looked, Some(func))));
+    }
+    looks
+}
+
+/// The words in turn, as many as there are combinations, shuffled.
+fn dealt<T: Copy + Debug>(words: Vec<T>) -> impl Strategy<Value = Vec<T>> {
+    let all: Vec<T> = words.into_iter().cycle().take(COMBINATIONS).collect();
+    Just(all).prop_shuffle()
+}
+
+/// Random triangles and numbers, with these words.
+pub fn cases(words: Words) -> impl Strategy<Value = Case> {
     let corner = || {
         (
             (-64..=64_i8, -40..=40_i8, -50..=-14_i8),
@@ -96,24 +154,8 @@ pub fn cases() -> impl Strategy<Value = Case> {
     };
     let triangle = move || [corner(), corner(), corner()];
     let triangles = move |most| proptest::collection::vec(triangle(), 1..=most);
-    let func = || proptest::sample::select(COMPARISONS.to_vec());
-    let unit = move || {
+    let numbers = || {
         (
-            proptest::sample::select(vec![
-                Looked::Nothing,
-                Looked::Color,
-                Looked::Depth,
-                Looked::Depth,
-                Looked::Rectangle,
-                Looked::Rectangle,
-            ]),
-            proptest::option::weighted(0.75, func()),
-            proptest::sample::select(vec![
-                DepthTextureMode::Luminance,
-                DepthTextureMode::Intensity,
-                DepthTextureMode::Alpha,
-            ]),
-            any::<bool>(),
             // z not negative, so that q stays positive.
             (-8..=8_i8, -8..=8_i8, 0..=8_i8),
             -1..=1_i8,
@@ -128,38 +170,34 @@ pub fn cases() -> impl Strategy<Value = Case> {
             ),
             -100..=100_i8,
         )
-            .prop_map(
-                |(looked, compare, mode, replace, (x, y, z), scale, planes, bias)| Unit {
-                    looked,
-                    compare,
-                    mode,
-                    replace,
-                    translate: [x, y, z],
-                    scale,
-                    planes,
-                    bias,
-                },
-            )
     };
-    let depth = proptest::sample::select(vec![Format::Depth32FStencil8, Format::Depth24Stencil8]);
-    (
-        triangles(4),
-        triangles(6),
-        [unit(), unit()],
-        proptest::option::weighted(0.8, (func(), 0..=8_u8)),
-        depth,
-    )
-        .prop_map(|(map, drawn, units, alpha, depth)| Case {
+    let unit = |words, ((x, y, z), scale, planes, bias)| {
+        let ((looked, compare), mode, replace) = words;
+        Unit {
+            looked,
+            compare,
+            mode,
+            replace,
+            translate: [x, y, z],
+            scale,
+            planes,
+            bias,
+        }
+    };
+    (triangles(4), triangles(6), [numbers(), numbers()], 0..=8_u8).prop_map(
+        move |(map, drawn, [first, second], reference)| Case {
             map,
             drawn,
-            units,
-            alpha,
-            depth,
-        })
+            units: [unit(words.units[0], first), unit(words.units[1], second)],
+            alpha: words.alpha.map(|func| (func, reference)),
+            depth: words.depth,
+        },
+    )
 }
 
 pub fn count(seen: &mut BTreeMap<String, u32>, case: &Case, pixels: &[[u32; 5]]) {
     let mut add = |what: String| *seen.entry(what).or_default() += 1;
+    add("cases".into());
     if let Some((func, _)) = case.alpha {
         add(format!("alpha {func:?}"));
     }

@@ -160,6 +160,7 @@ impl Classic {
 
     fn bind_unit(&self, number: usize, state: &ClassicState, around: Around<'_, '_>) -> Result<()> {
         let gl = around.context.glow();
+        forget_unit(gl, number);
         let Some((target, map)) = state.looked_up(number) else {
             return Ok(());
         };
@@ -258,6 +259,25 @@ impl Classic {
             if let Some(texture) = self.hilo.take() {
                 gl.delete_texture(texture.raw);
             }
+        }
+    }
+}
+
+/// Binds nothing where a unit looks things up. What is left of an earlier draw changes no pixel, but a driver that compiles
+/// programs for the textures they are used with would compile another one.
+fn forget_unit(gl: &glow::Context, number: usize) {
+    for (first, kind) in [
+        (PLAIN_2D, glow::TEXTURE_2D),
+        (SHADOW_2D, glow::TEXTURE_2D),
+        (PLAIN_RECTANGLE, glow::TEXTURE_RECTANGLE),
+        (SHADOW_RECTANGLE, glow::TEXTURE_RECTANGLE),
+    ] {
+        let at = first + number as u32;
+        // SAFETY: the context is current.
+        unsafe {
+            gl.active_texture(glow::TEXTURE0 + at);
+            gl.bind_texture(kind, None);
+            gl.bind_sampler(at, None);
         }
     }
 }
