@@ -45,9 +45,9 @@ features: $(addprefix feature-,$(FEATURES))
 $(addprefix feature-,$(FEATURES)): feature-%:
 	$(CARGO) clippy --lib --locked --no-default-features $(if $(filter-out none,$*),--features $*) -- -D warnings
 
-# Tests and examples, one module of them on each core. See .ci/tests, whose parts these are.
+# Tests and examples, one module of them on each core. See .ci/tests, whose parts these are. PARTS='unit' runs some of them.
 tests:
-	.ci/tests
+	.ci/tests $(PARTS)
 unit:
 	.ci/tests unit doc
 examples:
