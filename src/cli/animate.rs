@@ -78,7 +78,7 @@ impl Animate {
             ));
         }
         self.method.slices.check_scene(&animation.scene)?;
-        let method = self.method.for_scene(method, &animation.scene);
+        let method = self.method.or_automatic(method);
         let range = self.range(animation.path.frames)?;
         let context = self.setup.gl.context()?;
         let renderer = self.setup.renderer(&context, &animation.scene)?;

@@ -1,7 +1,7 @@
 //! The arguments for a method and its options.
 
 use clap::Args;
-use onionskin::{Method, Result, Scene};
+use onionskin::{Method, Result};
 
 use super::chosen::Chosen;
 use super::slices::Slices;
@@ -11,9 +11,8 @@ const WITH_OPTIONS: &str = "depth-peeling";
 
 #[derive(Args)]
 pub(super) struct MethodOptions {
-    /// The method, such as exact, painter or ffb; `onionskin methods` describes all of them [default: a quick
-    /// exact one, which is verified-painter, and dfb+ppdp for scenes with volumes or slices; depth-peeling if one of its
-    /// options is given]
+    /// The method, such as exact, painter or ffb; `onionskin methods` describes all of them [default: auto, a quick
+    /// exact one for the scene; depth-peeling if one of its options is given]
     #[arg(short, long)]
     method: Option<String>,
     #[command(flatten)]
@@ -34,12 +33,12 @@ impl MethodOptions {
         Ok(method)
     }
 
-    /// `method`, or a quick exact one for the scene if neither a method nor an option was given.
-    pub(super) fn for_scene(&self, method: Method, scene: &Scene) -> Method {
+    /// `method`, or a quick exact one if neither a method nor an option was given.
+    pub(super) fn or_automatic(&self, method: Method) -> Method {
         let asked = self.method.is_some() || self.slices.is_given() || self.chosen.is_any();
         match asked {
             true => method,
-            false => Method::automatic(scene).method,
+            false => Method::Automatic,
         }
     }
 }

@@ -29,6 +29,7 @@ mod record;
 mod render;
 mod setup;
 mod slices;
+mod stages;
 mod words;
 
 use std::process::ExitCode;

@@ -13,6 +13,8 @@ pub(super) struct Record<'a> {
     scene: &'a str,
     method: &'a str,
     #[serde(skip_serializing_if = "Option::is_none")]
+    chosen: Option<&'static str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     reading: Option<&'a str>,
     iterations: u32,
     geometry_passes: u64,
@@ -116,6 +118,7 @@ impl<'a> Record<'a> {
         Self {
             scene,
             method: &stats.method,
+            chosen: stats.chosen.map(|chosen| chosen.method),
             reading: None,
             iterations: stats.iterations,
             geometry_passes: stats.geometry_passes,

@@ -14,6 +14,7 @@ use super::output::{self, print_json, say};
 use super::progress::Progress;
 use super::record::{Errors, FRAMES, Record};
 use super::setup::{SCENE_FILES, Setup};
+use super::stages::Stages;
 
 /// Render a scene by one method
 ///
@@ -34,6 +35,10 @@ pub(super) struct Render {
     /// Print one JSON object and nothing else; adds the error against the exact image
     #[arg(long)]
     json: bool,
+    /// Print where the time goes, from the start of the command to the picture. The frame is rendered a second time,
+    /// which says how much of the first one went into compiling shaders
+    #[arg(long, conflicts_with = "json")]
+    times: bool,
 }
 
 const EXAMPLES: &str = "\
@@ -46,18 +51,21 @@ Examples:
 
 impl Render {
     pub(super) fn run(self) -> Result<ExitCode> {
+        let mut stages = Stages::begin();
         // All faults of the arguments are reported before anything long begins.
         let method = self.method.method()?;
         FileKind::of(&self.output)?;
         check_writable(&self.output)?;
         let scene = self.setup.scene()?;
+        stages.done("reading the scene");
         self.method.slices.check_scene(&scene)?;
-        let method = self.method.for_scene(method, &scene);
+        let method = self.method.or_automatic(method);
         let context = self.setup.gl.context()?;
         let mut renderer = self
             .method
             .slices
             .apply_to(self.setup.renderer(&context, &scene)?)?;
+        stages.done("OpenGL context");
         if self.method.chosen.has("layers") {
             let peels = self.method.chosen.value("peels").unwrap_or("0");
             let peels = peels.parse().unwrap_or(0);
@@ -72,6 +80,11 @@ impl Render {
         } else {
             renderer.render(&scene, &method)?
         };
+        if self.times {
+            let again = renderer.render(&scene, &method)?;
+            let compiling = (frame.stats.ms - again.stats.ms).max(0.0);
+            stages.frame_done(&frame.times, compiling);
+        }
         let error = if self.json {
             let exact = self.setup.exact(&mut renderer, &scene)?;
             Some(Errors::new(&frame, &exact)?)
@@ -79,10 +92,14 @@ impl Render {
             None
         };
         self.write(&frame)?;
+        stages.done("writing the picture");
         drop(progress);
         match error {
             Some(error) => print_json(&Record::new(&scene.name, &frame.stats, &error))?,
             None => say(&frame.stats)?,
+        }
+        if self.times {
+            say(format_args!("\n{stages}"))?;
         }
         if let Some(note) = loss(&frame.stats) {
             output::note(note);

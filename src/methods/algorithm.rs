@@ -1,7 +1,7 @@
 //! A method as the renderer sees it: it is prepared for a scene, and then draws frames.
 
 use super::hanging::Hanging;
-use super::stats::{ABufferCounts, Peeling, VerifiedCounts};
+use super::stats::{ABufferCounts, Chosen, Peeling, VerifiedCounts};
 use crate::error::Result;
 use crate::gl::{Format, GlMachine};
 use crate::image::Image;
@@ -88,6 +88,8 @@ pub struct Drawn {
     pub a_buffer: Option<ABufferCounts>,
     /// What could not be proved to be in order, or `None` if the method proves nothing.
     pub verified: Option<VerifiedCounts>,
+    /// The method that drew the frame, or `None` if it was not chosen automatically.
+    pub chosen: Option<Chosen>,
     /// The image, or `None` if it is in the map [`IMAGE_COLOR`](crate::papers::stage::IMAGE_COLOR).
     pub image: Option<Image>,
     /// The pixels that depend on depths that cannot be told apart, or `None` if the method has not looked for them.

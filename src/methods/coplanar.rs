@@ -12,7 +12,7 @@
 //! | --- | --- |
 //! | each over those drawn before it | `blend`, `painter` |
 //! | no order | `weighted-blended` |
-//! | order of submission | `multi-layer-alpha-blending`, `dual-depth-peeling`, `coplanar-depth-peeling`, `layer-peeling`, `ffb`, `ffb+ppao`, `ffb+ppdp`, `ffb+ppao+ppdp`, `dfb`, `dfb+ppao`, `dfb+ppdp`, `dfb+ppao+ppdp`, `ppll`, `ppll+ppao`, `ppll+ppdp`, `ppll+ppao+ppdp`, `verified-painter`, `exact` |
+//! | order of submission | `multi-layer-alpha-blending`, `dual-depth-peeling`, `coplanar-depth-peeling`, `layer-peeling`, `ffb`, `ffb+ppao`, `ffb+ppdp`, `ffb+ppao+ppdp`, `dfb`, `dfb+ppao`, `dfb+ppdp`, `dfb+ppao+ppdp`, `ppll`, `ppll+ppao`, `ppll+ppdp`, `ppll+ppao+ppdp`, `verified-painter`, `auto`, `exact` |
 //! | the first submitted, the others lost and counted | `depth-peeling` |
 //! | unsorted meshes before sorted ones | `hybrid-layer-peeling` |
 //! | order of submission after sorting | `coherent-layer-peeling-a`, `coherent-layer-peeling-b`, `ideal-coherent-layer-peeling` |

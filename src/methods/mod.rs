@@ -21,6 +21,7 @@
 //! | `dfb+ppdp`, `dfb+ppao+ppdp`, `ppll+ppdp`, `ppll+ppao+ppdp` | Lindholm et al. 2015 | yes, volumes by rays, too | order of submission |  | pixels + fragments, in bands |
 //! | `ppll`, `ppll+ppao` | Lindholm et al. 2015 | yes, volumes by rays, too, up to 64 fragments a pixel (option array) | order of submission | the last submitted | pixels + fragments, in bands |
 //! | `verified-painter` | this edition | yes; volumes as slices: no, an error of order 1 in the slices' distance | order of submission |  | pixels + triangles |
+//! | `auto` | this edition | yes, volumes by rays, too | order of submission |  | pixels + fragments, in bands |
 //! | `exact` | the oracle | yes, volumes by rays, too | order of submission |  | fragments, in pieces |
 //! <!-- /methods -->
 //!
@@ -55,7 +56,6 @@ every_method!(declare);
 
 mod algorithm;
 mod allocate_maps;
-mod automatic;
 mod batches;
 mod buffer_access;
 mod choice;
@@ -85,17 +85,16 @@ mod vtk_settings;
 
 pub use algorithm::{Algorithm, Composited, DrawOrder, Drawn, Setup};
 pub use allocate_maps::allocate_maps;
-pub use automatic::Automatic;
 pub use batches::begin_batch;
 pub use choice::{Choice, Takes};
 pub use complexity::{Bin, Complexity, CountBy};
 pub use entry::{Entry, Memory, Ties, Volumes};
 pub use film::Film;
-pub use frame::{Frame, Layer};
+pub use frame::{Frame, Layer, Times};
 pub use hanging::Hanging;
 pub use options::*;
 pub use registry::{Listed, Method, methods_with, registry};
 pub use renderer::Renderer;
 pub use slicing::{DEFAULT_SLICES, MOST_SLICES};
-pub use stats::{ABufferCounts, Peeling, Stats, VerifiedCounts};
+pub use stats::{ABufferCounts, Chosen, Peeling, Stats, VerifiedCounts};
 pub use technique::Technique;

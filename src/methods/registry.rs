@@ -31,6 +31,7 @@ macro_rules! every_method {
             ideal_coherent_layer_peeling: IdealCoherentLayerPeeling(IdealOptions),
             a_buffer: ABuffer(ABufferOptions),
             verified_painter: VerifiedPainter,
+            automatic: Automatic,
             exact: Exact,
         }
     };
@@ -135,6 +136,13 @@ macro_rules! of {
 }
 
 every_method!(method);
+
+impl Default for Method {
+    /// A quick exact method for the scene.
+    fn default() -> Self {
+        Self::Automatic
+    }
+}
 
 fn choices<O>(setters: &[Setter<O>]) -> Vec<Choice> {
     setters.iter().map(|setter| setter.choice).collect()

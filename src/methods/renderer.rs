@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use super::algorithm::{Algorithm, Composited, DrawOrder, Drawn, Setup};
 use super::allocate_maps::allocate_maps;
-use super::frame::{Frame, Layer};
+use super::frame::{Frame, Layer, Times};
 use super::proxies::proxies;
 use super::stats::Stats;
 use super::technique::Technique;
@@ -24,7 +24,7 @@ use crate::steps::{Call, Machine, Map, Variables, run};
 /// use onionskin::{Context, Method, Renderer, Scene};
 /// let context = Context::headless()?;
 /// let scene = Scene::load("engine.toml")?;
-/// let frame = Renderer::new(&context, 1024, 768)?.render(&scene, &Method::DepthPeeling(Default::default()))?;
+/// let frame = Renderer::new(&context, 1024, 768)?.render(&scene, &Method::Automatic)?;
 /// frame.image.save("engine.png")?;
 /// println!("{}", frame.stats);
 /// # Ok::<(), onionskin::Error>(())
@@ -49,6 +49,11 @@ pub(super) struct Shown<'s> {
     sliced: Option<(Cow<'s, Scene>, f64)>,
     /// The scene's camera as it was given, whatever planes it is drawn with.
     given: Camera,
+}
+
+/// The time since then.
+fn milliseconds(since: Instant) -> f64 {
+    since.elapsed().as_secs_f64() * 1e3
 }
 
 /// After this time no further frame is measured.
@@ -151,11 +156,21 @@ impl<'c> Renderer<'c> {
         held: &mut Option<DrawOrder>,
     ) -> Result<Frame> {
         let scene = &*shown.scene;
+        let begun = Instant::now();
         let mut algorithm = self.prepare(shown, method, held)?;
+        self.machine.finish();
+        let set_up = milliseconds(begun);
         let (mut drawn, ms) = self.draw(scene, algorithm.as_mut())?;
+        let drawn_at = Instant::now();
         self.machine
             .save_and_restore(|machine| algorithm.account(machine, &mut drawn))?;
-        self.finish(shown, method, drawn, ms)
+        let frame = self.finish(shown, method, drawn, ms)?;
+        let times = Times {
+            set_up,
+            draw: ms,
+            read_back: milliseconds(drawn_at),
+        };
+        Ok(Frame { times, ..frame })
     }
 
     /// Renders a frame to warm up, and then `frames` more, or as many as begin within two seconds, but at least one.
@@ -312,7 +327,7 @@ impl<'c> Renderer<'c> {
         let start = Instant::now();
         let drawn = algorithm.draw(&mut self.machine, scene)?;
         self.machine.finish();
-        Ok((drawn, start.elapsed().as_secs_f64() * 1e3))
+        Ok((drawn, milliseconds(start)))
     }
 
     /// GL's initial state and the background's colour.
@@ -357,6 +372,7 @@ impl<'c> Renderer<'c> {
             .expect_no_error(&format!("while {method} rendered the frame"))?;
         let stats = Stats {
             method: method.into(),
+            chosen: drawn.chosen,
             iterations: drawn.iterations,
             geometry_passes: counts.geometry_passes,
             triangles: counts.triangles,
@@ -379,6 +395,10 @@ impl<'c> Renderer<'c> {
             layers,
             hanging: drawn.hanging,
             stats,
+            times: Times {
+                draw: ms,
+                ..Times::default()
+            },
             notices: notices(self.machine.context()),
         })
     }

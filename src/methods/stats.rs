@@ -10,6 +10,8 @@ use crate::steps::Reason;
 pub struct Stats {
     /// The method's name.
     pub method: String,
+    /// The method that drew the frame, and why, or `None` if it was not chosen automatically.
+    pub chosen: Option<Chosen>,
     /// The rounds of the method's loop, including the last one even if it found nothing. It is 1 without a loop.
     pub iterations: u32,
     /// How often the transparent geometry was drawn.
@@ -43,6 +45,16 @@ pub struct Stats {
     /// After [`measure`](super::Renderer::measure) it is the median of several frames. After
     /// [`render`](super::Renderer::render) it is that of the single frame, including the compilation of its shaders.
     pub ms: f64,
+}
+
+/// The method that was chosen for a scene.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Chosen {
+    /// The method's name.
+    pub method: &'static str,
+    /// Why it is this one, as the end of a sentence.
+    pub why: &'static str,
 }
 
 /// The costs of an A-buffer. They do not depend on the machine.
@@ -126,6 +138,9 @@ impl fmt::Display for Stats {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let mut line = |name: &str, value: &dyn fmt::Display| writeln!(f, "{name:<16} {value}");
         line("method", &self.method)?;
+        if let Some(Chosen { method, why }) = self.chosen {
+            line("chosen", &format_args!("{method}: {why}"))?;
+        }
         line("iterations", &self.iterations)?;
         line("geometry passes", &self.geometry_passes)?;
         line("triangles", &self.triangles)?;

@@ -17,6 +17,7 @@ mod a_buffer_bands;
 mod a_buffer_kept;
 mod a_buffer_keys;
 mod accumulation;
+mod automatic;
 mod bounded;
 mod by_images;
 mod camera_path;

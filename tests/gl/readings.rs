@@ -98,6 +98,7 @@ fn reason(method: &Method, deepest: u32) -> Option<Reason> {
         Method::Blend
         | Method::Painter
         | Method::VerifiedPainter
+        | Method::Automatic
         | Method::WeightedBlended(_)
         | Method::MultiLayerAlphaBlending(_)
         | Method::Exact => None,

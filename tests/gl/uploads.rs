@@ -76,7 +76,7 @@ fn a_film_has_the_frames_that_are_rendered_one_by_one_and_uploads_vertices_once(
             assert_eq!(frame.stats, expected.stats, "{}", row.name);
             assert_eq!(complexity, counted, "{}", row.name);
         }
-        if row.method == Method::VerifiedPainter {
+        if sorts_every_frame(row.method) {
             // The vertices of all meshes once. Its sort is part of every frame: sorted triangles, those for lists, and all
             // of them to be counted.
             let frames = cameras.len() as u64;
@@ -101,6 +101,11 @@ fn a_film_has_the_frames_that_are_rendered_one_by_one_and_uploads_vertices_once(
     );
 }
 
+/// On a scene of surfaces, the automatic method is the verified painter.
+fn sorts_every_frame(method: Method) -> bool {
+    matches!(method, Method::VerifiedPainter | Method::Automatic)
+}
+
 #[test]
 fn no_frame_uploads_while_it_is_drawn_but_the_verified_painter_s_that_sorts() {
     let context = Context::headless().unwrap();
@@ -114,7 +119,7 @@ fn no_frame_uploads_while_it_is_drawn_but_the_verified_painter_s_that_sorts() {
     };
     let all = registry()
         .iter()
-        .filter(|row| row.runs_on(context.driver()) && row.method != Method::VerifiedPainter);
+        .filter(|row| row.runs_on(context.driver()) && !sorts_every_frame(row.method));
     let all = all.map(|row| row.method);
     for method in all.chain([Variant::A, Variant::B].map(batches)) {
         let mut renderer = Renderer::new(&context, SIZE[0], SIZE[1]).unwrap();

@@ -15,7 +15,6 @@ use crate::kit::chance::Chance;
 use crate::kit::changed::{Change, with_change};
 use crate::kit::lockstep::{LockStep, Watched, surfaces};
 use crate::kit::render::{example, render};
-use crate::kit::slack;
 use crate::kit::stack::{LEVELS, Piece, Stack, expect_none, runner, stacks};
 
 const METHOD: Method = Method::VerifiedPainter;
@@ -355,27 +354,4 @@ fn the_proof_is_the_emulated_pixel_s() {
     assert!(both.compared > 5000, "{}", both.compared);
     let marks = emulator.stencils(PROOF_DEPTH).unwrap();
     assert!(marks.iter().any(|&mark| mark > 0) && marks.contains(&0));
-}
-
-/// Whoever names no method gets an exact one, with volumes too.
-#[test]
-fn the_automatic_choice_is_exact() {
-    let context = Context::headless().unwrap();
-    for (name, chosen) in [
-        ("knots", "verified-painter"),
-        ("slices", "dfb+ppdp"),
-        ("fog", "dfb+ppdp"),
-    ] {
-        let scene = example(name, [80, 60]);
-        let automatic = Method::automatic(&scene);
-        assert_eq!(automatic.method.name(), chosen, "{}", automatic.why);
-        let frame = render(&context, &scene, &automatic.method);
-        let exact = render(&context, &scene, &Method::Exact);
-        let off = match scene.volumes.is_empty() {
-            true => error(&context, &scene, &frame),
-            false => slack::compare(&frame, &exact, &scene).1,
-        };
-        assert!(off <= F32, "{name}: {off}");
-        assert_eq!(frame.stats.lost, Some(0));
-    }
 }

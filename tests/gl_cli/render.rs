@@ -99,7 +99,7 @@ fn blending_in_the_wrong_order_is_another_image() {
 fn render_prints_the_frames_statistics() {
     let desk = desk();
     let out = desk.result(&["render", "sheets.toml", "-o", "s.png"]);
-    let frame = library(&desk, "sheets.toml", None, &Method::VerifiedPainter);
+    let frame = library(&desk, "sheets.toml", None, &Method::Automatic);
     let but_the_time = |text: &str| -> Vec<String> {
         let lines = text.lines().filter(|line| !line.starts_with("time "));
         lines.map(str::to_owned).collect()
@@ -109,18 +109,51 @@ fn render_prints_the_frames_statistics() {
 }
 
 #[test]
+fn render_says_on_request_where_the_time_goes() {
+    let desk = desk();
+    let out = desk.result(&["render", "sheets.toml", "-o", "s.png", "--times"]);
+    let (_, stages) = out.split_once("\n\n").expect("two parts");
+    let names = stages.lines().map(|line| line[..24].trim_end());
+    let expected = [
+        "reading the scene",
+        "OpenGL context",
+        "sorting, upload, maps",
+        "compiling shaders",
+        "drawing",
+        "counting, reading back",
+        "writing the picture",
+        "together",
+    ];
+    assert!(names.eq(expected), "{out}");
+    let ms = |line: &str| -> f64 {
+        let number = line[24..].trim().strip_suffix(" ms").expect("a time");
+        number.parse().expect("a number")
+    };
+    let parts: Vec<f64> = stages.lines().map(ms).collect();
+    let (together, parts) = parts.split_last().expect("lines");
+    // Each has one decimal.
+    assert!(
+        (parts.iter().sum::<f64>() - together).abs() <= 0.05 * 8.0,
+        "{out}"
+    );
+    desk.refused(&["render", "sheets.toml", "-o", "s.png", "--times", "--json"])
+        .says(&["--json"]);
+}
+
+#[test]
 fn render_as_json_prints_one_object_with_the_frames_counts() {
     let desk = desk();
     let answer = desk.run(&["render", "sheets.toml", "-o", "s.png", "--json"]);
     assert_eq!((answer.code, answer.err.as_str()), (0, ""), "{answer}");
     let object = object(&answer);
-    let stats = library(&desk, "sheets.toml", None, &Method::VerifiedPainter).stats;
+    let stats = library(&desk, "sheets.toml", None, &Method::Automatic).stats;
     for key in KEYS {
         assert!(object.contains_key(key), "no {key}: {answer}");
     }
     assert_eq!(object["scene"], "sheets");
     // A quick exact one.
-    assert_eq!(object["method"], "verified-painter");
+    assert_eq!(object["method"], "auto");
+    assert_eq!(object["chosen"], "verified-painter");
     assert_eq!(object["marked_pixels"], 0);
     assert_eq!(object["iterations"], stats.iterations);
     assert_eq!(object["geometry_passes"], stats.geometry_passes);

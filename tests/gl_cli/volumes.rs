@@ -42,7 +42,7 @@ fn compare_takes_of_all_methods_those_that_can() {
     let a_buffers = ["ffb", "dfb", "ppll"].into_iter().flat_map(|manager| {
         ["", "+ppao", "+ppdp", "+ppao+ppdp"].map(|local| format!("{manager}{local}"))
     });
-    let able = a_buffers.chain(["exact".into()]);
+    let able = a_buffers.chain(["auto".into(), "exact".into()]);
     let able: Vec<_> = ["hybrid-layer-peeling".into()]
         .into_iter()
         .chain(able)
@@ -81,7 +81,10 @@ fn without_a_method_volumes_are_rendered_exactly() {
         desk.run(&arguments).objects()[0].clone()
     };
     let object = rendered(&[]);
-    assert_eq!(object["method"], "dfb+ppdp");
+    assert_eq!(
+        (&object["method"], &object["chosen"]),
+        (&"auto".into(), &"dfb+ppdp".into())
+    );
     assert_eq!(object["lost"], 0);
     // What only surfaces have says which method is meant.
     let object = rendered(&["--slices", "9"]);

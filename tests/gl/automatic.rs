@@ -1,0 +1,153 @@
+//! The method that chooses for the scene: its choice, which it says, and its image, which is exact.
+
+use onionskin::generate::{Quads, Soup, quads, soup};
+use onionskin::{Comparison, Context, Frame, Method, Scene};
+
+use crate::fused::BOUND;
+use crate::kit::bounds::F32;
+use crate::kit::chance::Chance;
+use crate::kit::fog_scenes::random_scene;
+use crate::kit::render::{example, render};
+use crate::kit::slack;
+use crate::kit::stack::{expect_none, runner, stacks};
+
+fn chosen(frame: &Frame) -> &'static str {
+    frame.stats.chosen.expect("a choice").method
+}
+
+/// The largest difference from the oracle's image. Of surfaces, pixels are left out that hang on a difference of depth that
+/// the depth buffer cannot hold. Of volumes, so much is allowed as comes of where the rasteriser has their faces.
+fn off(context: &Context, scene: &Scene, frame: &Frame) -> f64 {
+    let exact = render(context, scene, &Method::Exact);
+    if !scene.volumes.is_empty() {
+        return slack::compare(frame, &exact, scene).1;
+    }
+    let hanging = &exact.hanging.as_ref().expect("the oracle says which").drawn;
+    let among = |pixel: usize| !hanging[pixel];
+    let compared = Comparison::among(&frame.image, &exact.image, F32, among);
+    compared.expect("two images of one size").max
+}
+
+#[test]
+fn it_is_the_default() {
+    assert_eq!(Method::default(), Method::Automatic);
+}
+
+/// Scenes that are made to prefer each of the methods, with what the frame says.
+#[test]
+fn each_method_is_chosen_where_it_is_quick_and_said() {
+    let context = Context::headless().unwrap();
+    for (name, expected) in [
+        ("knots", "verified-painter"),
+        ("sheets64", "verified-painter"),
+        ("slices", "dfb+ppdp"),
+        ("fog", "dfb+ppdp"),
+    ] {
+        let scene = example(name, [80, 60]);
+        let frame = render(&context, &scene, &Method::Automatic);
+        assert_eq!(chosen(&frame), expected, "{name}");
+        let said = frame.stats.to_string();
+        let why = frame.stats.chosen.expect("a choice").why;
+        assert!(
+            said.contains(&format!("{expected}: {why}\n")),
+            "{name}: {said}"
+        );
+        let off = off(&context, &scene, &frame);
+        assert!(off <= F32, "{name}: {off}");
+        assert_eq!(frame.stats.lost, Some(0), "{name}");
+    }
+}
+
+/// It is the method that it chose, to the bit, and counts the same.
+#[test]
+fn its_image_is_the_chosen_method_s() {
+    let context = Context::headless().unwrap();
+    for name in ["knots", "molecule_fused"] {
+        let scene = example(name, [80, 60]);
+        let frame = render(&context, &scene, &Method::Automatic);
+        let mut method: Method = chosen(&frame).parse().unwrap();
+        if method.has("record-color") {
+            method.choose("record-color", "float").unwrap();
+        }
+        let alone = render(&context, &scene, &method);
+        assert!(frame.image == alone.image, "{name}");
+        assert_eq!(frame.stats.geometry_passes, alone.stats.geometry_passes);
+        assert_eq!(frame.stats.triangles, alone.stats.triangles);
+        assert_eq!(frame.stats.bytes, alone.stats.bytes);
+        assert_eq!(alone.stats.chosen, None);
+    }
+}
+
+#[test]
+fn random_stacks_are_exact() {
+    let context = Context::headless().unwrap();
+    let outcome = runner(40).run(&stacks(500, false), |stack| {
+        let frame = render(&context, &stack.scene(), &Method::Automatic);
+        let compared = Comparison::new(&frame.image, &stack.expected(), F32).unwrap();
+        proptest::prop_assert!(compared.max <= F32, "off by {}", compared.max);
+        Ok(())
+    });
+    expect_none(outcome);
+}
+
+/// Random triangles, alone, in front of opaque ones, and among quads that are sorted.
+#[test]
+fn random_triangles_are_exact() {
+    let context = Context::headless().unwrap();
+    let mut chance = Chance::new(16);
+    let mut choices = Vec::new();
+    for number in 0..40 {
+        let triangles = |count, alpha, seed| {
+            let parameters = Soup {
+                count,
+                alpha,
+                seed,
+                ..Soup::default()
+            };
+            soup(&parameters).unwrap()
+        };
+        let seed = chance.below(1 << 30) as u64;
+        let mut meshes = vec![triangles(60, [0.0, 1.0], seed)];
+        if number % 2 == 1 {
+            meshes.push(triangles(6, [1.0, 1.0], seed + 1));
+        }
+        if number % 4 > 1 {
+            let mut stack = quads(&Quads::default()).unwrap();
+            stack.sorted = true;
+            meshes.push(stack);
+        }
+        let mut scene = Scene::of("random", meshes);
+        scene.size = [64, 48];
+        let frame = render(&context, &scene, &Method::Automatic);
+        let off = off(&context, &scene, &frame);
+        assert!(off <= F32, "scene {number}, seed {seed}: {off}");
+        choices.push(chosen(&frame));
+    }
+    for method in ["verified-painter", "dfb+ppdp"] {
+        let count = choices.iter().filter(|&&chosen| chosen == method).count();
+        assert_eq!(count, 20, "{method}");
+    }
+}
+
+#[test]
+fn random_volumes_are_exact() {
+    let context = Context::headless().unwrap();
+    for seed in 0..20 {
+        let scene = random_scene(seed);
+        let frame = render(&context, &scene, &Method::Automatic);
+        let off = off(&context, &scene, &frame);
+        assert!(off <= BOUND, "scene {seed}: {off}");
+        assert_eq!(chosen(&frame), "dfb+ppdp");
+    }
+}
+
+/// The comparisons above notice a scene without its last mesh.
+#[test]
+fn a_mesh_that_is_missing_would_be_noticed() {
+    let context = Context::headless().unwrap();
+    let scene = random_scene(1);
+    let mut without = scene.clone();
+    without.meshes.pop();
+    let frame = render(&context, &without, &Method::Automatic);
+    assert!(off(&context, &scene, &frame) > BOUND);
+}
