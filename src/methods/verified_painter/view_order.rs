@@ -5,7 +5,10 @@
 //! it is part of every frame, so it has to be quick. A counting sort is linear, and its parts run on every core.
 //!
 //! Of the centroid, the nearest and the farthest corner, the centroid leaves the fewest pixels out of order on the bundled
-//! scenes but one: of the teapot, whose small triangles lie before a large plane, the farthest corner.
+//! scenes but one: of the teapot, whose small triangles stand on a large plane, the farthest corner. A few
+//! triangles that are long along the view are a floor or a wall, as a rule, and the small ones lie before it. So long ones
+//! are sorted by their farthest corner, unless most are long. That leaves 552 of the teapot's 10,720 pixels, and the same
+//! pixels of the other scenes.
 
 use std::ops::Range;
 use std::thread::{available_parallelism, scope};
@@ -26,6 +29,12 @@ enum Steps {
     /// Meshes that are sorted exactly, such as slices, have triangles at many distances that hide each other.
     Fine = 1 << 16,
 }
+
+/// The part of the scene's depth from which on a triangle is sorted by its farthest corner.
+const LONG: f32 = 0.05;
+/// About so many triangles tell how many are long.
+const SAMPLE: usize = 1000;
+
 /// A thread with fewer triangles than this costs more than it saves.
 const LEAST: usize = 10_000;
 
@@ -86,16 +95,41 @@ impl Triangles {
         // cast makes it 0.
         let steps = self.steps as usize;
         let scale = (steps - 1) as f32 / (3.0 * (far - near));
+        let long = self.long(&distances, LONG * (far - near));
         let mut keys = vec![0u16; self.submitted.len()];
         side_by_side(threads, &self.submitted, &mut keys, |corners| {
-            let sum: f32 = corners
-                .iter()
-                .map(|&corner| far - distances[corner as usize])
-                .sum();
+            let corners = corners.map(|corner| far - distances[corner as usize]);
+            let sum = match length(corners) > long {
+                true => 3.0 * corners.into_iter().fold(f32::INFINITY, f32::min),
+                false => corners.iter().sum(),
+            };
             (sum * scale) as u16
         });
         counting_sort(threads, steps, &keys, &self.submitted)
     }
+
+    /// The length from which on triangles are sorted by their farthest corners: `least`, or no length if more than half of
+    /// the triangles are longer. Then none of them is a floor to the others.
+    fn long(&self, distances: &[f32], least: f32) -> f32 {
+        let looked_at = self
+            .submitted
+            .iter()
+            .step_by(self.submitted.len() / SAMPLE + 1);
+        let (mut count, mut longer) = (0, 0);
+        for corners in looked_at {
+            count += 1;
+            longer += usize::from(length(corners.map(|corner| distances[corner as usize])) > least);
+        }
+        match 2 * longer > count {
+            true => f32::INFINITY,
+            false => least,
+        }
+    }
+}
+
+/// How long a triangle is along the view.
+fn length([a, b, c]: [f32; 3]) -> f32 {
+    a.max(b).max(c) - a.min(b).min(c)
 }
 
 /// As many threads as the machine has cores, and fewer for few triangles.
