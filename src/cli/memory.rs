@@ -2,7 +2,7 @@
 
 use onionskin::{CountBy, Frame, Method, Renderer, Result, Scene};
 
-use super::setup::Setup;
+use super::setup::Rendering;
 
 /// The least bytes per pixel of a frame: a colour and a depth for OpenGL, the colours that are read back, the image
 /// made from them, and the bytes of its file.
@@ -18,7 +18,7 @@ const LARGEST_SIDE: u32 = 32_768;
 /// The bytes of a mesh in OpenGL besides its vertices and triangles: llvmpipe's buffers and their state.
 const BYTES_PER_MESH: u64 = 4096;
 
-impl Setup {
+impl Rendering {
     /// Renders the exact image. Its fragments are counted before they are kept.
     pub(super) fn exact(&self, renderer: &mut Renderer<'_>, scene: &Scene) -> Result<Frame> {
         let complexity = renderer.complexity(scene, CountBy::Blending)?;
@@ -62,14 +62,29 @@ impl Setup {
         self.memory()
             .check(of_images)
             .map_err(|shortage| shortage.of(format!("images of {width} x {height} pixels")))?;
-        let of_geometry = scene
-            .meshes
-            .iter()
-            .map(|mesh| mesh.bytes() + BYTES_PER_MESH);
-        let of_geometry = of_geometry.sum();
-        self.memory().check(of_geometry).map_err(|shortage| {
+        self.memory().check(of_geometry(scene)).map_err(|shortage| {
             let triangles = scene.triangle_count();
             shortage.of(format!("{triangles} triangles, for OpenGL,"))
         })
     }
+
+    /// Asks for the memory of so many methods at once, each with images and two copies of the geometry.
+    pub(super) fn check_methods(&self, scene: &Scene, methods: usize) -> Result<()> {
+        let [width, height] = scene.size.map(u64::from);
+        let of_one = (width * height)
+            .saturating_mul(BYTES_PER_PIXEL)
+            .saturating_add(of_geometry(scene).saturating_mul(2));
+        self.memory()
+            .check(of_one.saturating_mul(methods as u64))
+            .map_err(|shortage| {
+                shortage.of(format!(
+                    "{methods} methods at once (-m names fewer), each with images and geometry of its own,"
+                ))
+            })
+    }
+}
+
+fn of_geometry(scene: &Scene) -> u64 {
+    let meshes = scene.meshes.iter();
+    meshes.map(|mesh| mesh.bytes() + BYTES_PER_MESH).sum()
 }

@@ -2,6 +2,7 @@
 
 mod animate;
 mod arguments;
+mod bench;
 mod check;
 mod chosen;
 mod claims;
@@ -53,6 +54,7 @@ Examples:
   onionskin doctor                                     is a suitable OpenGL there?
   onionskin render model.obj -o model.png              the exact image of a model
   onionskin compare examples/scenes/teapot.toml        how wrong and how slow each method is
+  onionskin bench examples/scenes/teapot.toml          what each method costs, relative to plain blending
   onionskin check examples/scenes/teapot.toml my.png   is my renderer's image right?
   onionskin complexity examples/scenes/teapot.toml     how many layers each pixel has
   onionskin animate scene.toml -o frames               a camera path as pictures and a table
@@ -67,6 +69,7 @@ Exit codes: 0 done, 1 `check` found a difference, 2 the command failed.";
 enum Command {
     Render(render::Render),
     Compare(compare::Compare),
+    Bench(bench::Bench),
     Check(check::Check),
     Complexity(complexity::Complexities),
     Animate(animate::Animate),
@@ -90,6 +93,7 @@ pub(crate) fn run() -> ExitCode {
     let done = match command {
         Command::Render(render) => render.run(),
         Command::Compare(compare) => compare.run(),
+        Command::Bench(bench) => bench.run(),
         Command::Check(check) => check.run(),
         Command::Complexity(complexity) => complexity.run(),
         Command::Animate(animate) => animate.run(),

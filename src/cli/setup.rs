@@ -1,7 +1,8 @@
 //! Arguments that several subcommands share: the scene, its size, the OpenGL.
 
 use std::cell::OnceCell;
-use std::path::PathBuf;
+use std::ops::Deref;
+use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 use onionskin::low_level::oracle::DepthBuffer;
@@ -63,6 +64,13 @@ pub(super) struct Setup {
     /// A scene file (.toml), or a model (.obj), to which a camera is fitted
     #[arg(value_name = "SCENE|MODEL")]
     pub(super) scene: PathBuf,
+    #[command(flatten)]
+    rendering: Rendering,
+}
+
+/// How scenes are rendered, whichever they are.
+#[derive(Args)]
+pub(super) struct Rendering {
     /// Width and height of the image in pixels [default: the scene's, and 1024x768 for a model]
     #[arg(long, value_name = "WxH", value_parser = size, help_heading = RENDERING)]
     size: Option<[u32; 2]>,
@@ -135,14 +143,29 @@ impl Setup {
 
     /// Loads the scene with its camera path. Notes about repairs go to standard error.
     pub(super) fn animation(&self) -> Result<Animation> {
+        self.rendering.load(&self.scene)
+    }
+}
+
+impl Deref for Setup {
+    type Target = Rendering;
+
+    fn deref(&self) -> &Rendering {
+        &self.rendering
+    }
+}
+
+impl Rendering {
+    /// Loads a scene with its camera path. Notes about repairs go to standard error.
+    pub(super) fn load(&self, path: &Path) -> Result<Animation> {
         // Faults are reported before anything long begins.
         self.gl.backend()?;
         let options = LoadOptions {
             size: self.size,
             memory: self.memory(),
         };
-        let progress = Progress::new(1, &format!("loading {}", self.scene.display()));
-        let animation = Animation::load_with(&self.scene, &options)?;
+        let progress = Progress::new(1, &format!("loading {}", path.display()));
+        let animation = Animation::load_with(path, &options)?;
         drop(progress);
         let notices = &animation.scene.notices;
         notices.iter().take(MOST_NOTES).for_each(note);
@@ -169,6 +192,15 @@ impl Setup {
         if let Some(waste) = waste(scene) {
             note(format_args!("{waste}{}", self.planes.answer(scene)));
         }
+        self.silent_renderer(context, scene)
+    }
+
+    /// The same renderer, without a note about the scene's planes.
+    pub(super) fn silent_renderer<'c>(
+        &self,
+        context: &'c Context,
+        scene: &Scene,
+    ) -> Result<Renderer<'c>> {
         let renderer = Renderer::new(context, scene.size[0], scene.size[1])?;
         let renderer = renderer.with_formats(self.color, self.depth);
         let renderer = match self.planes {

@@ -1,11 +1,13 @@
 //! A scene from one camera after another.
 
 use std::borrow::Cow;
+use std::fmt;
+use std::time::Instant;
 
-use super::algorithm::DrawOrder;
+use super::algorithm::{Algorithm, DrawOrder};
 use super::complexity::{Complexity, CountBy};
 use super::frame::Frame;
-use super::renderer::Renderer;
+use super::renderer::{Renderer, orders};
 use super::technique::Technique;
 use crate::error::Result;
 use crate::scene::{Camera, Scene};
@@ -36,7 +38,12 @@ pub struct Film<'r, 'c> {
     method: &'r dyn Technique,
     /// The order in which the scene is uploaded, if it is.
     held: Option<DrawOrder>,
+    /// The method at work, if the last frame was only timed.
+    ready: Option<Ready>,
 }
+
+/// A method that is set up for the scene.
+struct Ready(Box<dyn Algorithm>);
 
 impl<'c> Renderer<'c> {
     /// Takes a scene, to render it from one camera after another.
@@ -46,6 +53,7 @@ impl<'c> Renderer<'c> {
             scene,
             method,
             held: None,
+            ready: None,
         }
     }
 }
@@ -56,6 +64,7 @@ impl Film<'_, '_> {
     /// # Errors
     /// If the method or the driver fails.
     pub fn frame(&mut self, camera: Camera) -> Result<Frame> {
+        self.ready = None;
         let renderer = &mut *self.renderer;
         let _visit = renderer.machine.context().visit()?;
         self.scene.camera = camera;
@@ -75,4 +84,62 @@ impl Film<'_, '_> {
         let complexity = self.renderer.count_after(&frame, &self.scene, by)?;
         Ok((frame, complexity))
     }
+
+    /// Renders a frame, and returns only its time in milliseconds. The time has everything that another view takes: sorting
+    /// triangles, uploading their order, drawing. Reading the image and setting the method up are not in it. Neither is
+    /// cutting volumes into slices.
+    ///
+    /// Between frames that are only timed, the method keeps its maps. The first frame of a film sets it up, and its shaders
+    /// are compiled, so its time says little.
+    ///
+    /// # Errors
+    /// If the method or the driver fails.
+    pub fn time(&mut self, camera: Camera) -> Result<f64> {
+        let renderer = &mut *self.renderer;
+        let _visit = renderer.machine.context().visit()?;
+        self.scene.camera = camera;
+        self.scene.camera = renderer.camera(&self.scene);
+        let shown = renderer.shown(Cow::Borrowed(&self.scene), camera, self.method)?;
+        let (mut algorithm, sorting) = match self.ready.take() {
+            Some(Ready(mut algorithm)) if shown.slices.is_none() => {
+                renderer.machine.finish();
+                let start = Instant::now();
+                look(renderer, &shown.scene, algorithm.as_mut(), &mut self.held)?;
+                (algorithm, start.elapsed().as_secs_f64() * 1e3)
+            }
+            _ => (renderer.prepare(&shown, self.method, &mut self.held)?, 0.0),
+        };
+        let (_, drawing) = renderer.draw(&shown.scene, algorithm.as_mut())?;
+        renderer
+            .machine
+            .expect_no_error("while a frame was timed")?;
+        self.ready = Some(Ready(algorithm));
+        Ok(sorting + drawing)
+    }
+}
+
+impl fmt::Debug for Ready {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("Ready")
+    }
+}
+
+/// Has a scene that is set up seen by the camera that it has now, in the method's order for this view.
+fn look(
+    renderer: &mut Renderer<'_>,
+    scene: &Scene,
+    algorithm: &mut dyn Algorithm,
+    held: &mut Option<DrawOrder>,
+) -> Result<()> {
+    renderer.machine.look(scene);
+    // Methods that submit triangles themselves sort them while they draw.
+    if *held == Some(DrawOrder::Own) {
+        return Ok(());
+    }
+    let order = algorithm.order(scene);
+    if held.as_ref() != Some(&order) {
+        renderer.machine.reorder(scene, orders(&order))?;
+    }
+    *held = Some(order);
+    Ok(())
 }

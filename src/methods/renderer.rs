@@ -42,9 +42,9 @@ pub struct Renderer<'c> {
 
 /// A scene in the form in which a method draws it.
 pub(super) struct Shown<'s> {
-    scene: Cow<'s, Scene>,
+    pub(super) scene: Cow<'s, Scene>,
     /// How many slices to draw the volumes as, or `None` if the method casts rays or there are no volumes.
-    slices: Option<u32>,
+    pub(super) slices: Option<u32>,
     /// The scene with the volumes that the slices stand for, and the distance from slice to slice.
     sliced: Option<(Cow<'s, Scene>, f64)>,
     /// The scene's camera as it was given, whatever planes it is drawn with.
@@ -292,7 +292,7 @@ impl<'c> Renderer<'c> {
 
     /// Sets the method up for the scene, which is uploaded once, in the order in which the method draws it, unless `held`
     /// says that it is. Slices are other geometry for every camera.
-    fn prepare(
+    pub(super) fn prepare(
         &mut self,
         shown: &Shown<'_>,
         method: &dyn Technique,
@@ -321,7 +321,11 @@ impl<'c> Renderer<'c> {
         Ok(algorithm)
     }
 
-    fn draw(&mut self, scene: &Scene, algorithm: &mut dyn Algorithm) -> Result<(Drawn, f64)> {
+    pub(super) fn draw(
+        &mut self,
+        scene: &Scene,
+        algorithm: &mut dyn Algorithm,
+    ) -> Result<(Drawn, f64)> {
         self.begin(scene)?;
         self.machine.finish();
         let start = Instant::now();
@@ -444,7 +448,7 @@ impl<'c> Renderer<'c> {
 }
 
 /// The orders other than the scene's own.
-fn orders(order: &DrawOrder) -> &[Vec<[u32; 2]>] {
+pub(super) fn orders(order: &DrawOrder) -> &[Vec<[u32; 2]>] {
     match order {
         DrawOrder::Submission | DrawOrder::Own => &[],
         DrawOrder::Sorted(order) => std::slice::from_ref(order),

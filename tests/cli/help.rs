@@ -7,9 +7,10 @@ use onionskin::{papers, registry};
 use crate::kit::cli::{Answer, Desk};
 use crate::kit::golden::assert_golden;
 
-const SUBCOMMANDS: [&str; 11] = [
+const SUBCOMMANDS: [&str; 12] = [
     "render",
     "compare",
+    "bench",
     "check",
     "complexity",
     "animate",

@@ -15,6 +15,7 @@ mod ledger;
 mod animate;
 mod animate_killed;
 mod bad_input;
+mod bench;
 mod check;
 mod compare;
 mod complexity;

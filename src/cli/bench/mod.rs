@@ -1,0 +1,126 @@
+//! `onionskin bench`: what methods cost, in rounds.
+
+mod measure;
+mod methods;
+mod rounds;
+mod row;
+mod statistics;
+mod table;
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::Args;
+use onionskin::low_level::image::check_writable;
+use onionskin::report::save_text;
+use onionskin::{Error, Result, Scene};
+
+use super::output::{self, print_json, say};
+use super::setup::Rendering;
+use methods::Asked;
+use row::Rows;
+
+/// Measure what methods cost, relative to plain blending
+///
+/// All methods are measured in one process, in rounds: in each round every method draws one frame. So a machine that is
+/// busy for a while is busy for all of them. Rounds in which drivers compile shaders do not count. From round to round the
+/// eye moves on a little, and a frame's time has everything that a changed view takes: sorting triangles, uploading their
+/// order, drawing. Reading the image and writing files are not in it. Times are milliseconds: the median, the smallest and
+/// the largest. The ratios are those of medians. They say more than the times, and only within one run.
+///
+/// Counts are those of the first frame: how often the transparent geometry was drawn, how many fragments lie in lists, and
+/// the memory of the method on the GPU besides the geometry. For the verified painter only the fragments of marked pixels
+/// lie in lists, whose order it could not prove.
+#[derive(Args)]
+#[command(after_help = EXAMPLES)]
+pub(super) struct Bench {
+    /// Scene files (.toml), or models (.obj), to which a camera is fitted
+    #[arg(value_name = "SCENE|MODEL", required = true)]
+    scenes: Vec<PathBuf>,
+    #[command(flatten)]
+    rendering: Rendering,
+    /// Methods, separated by commas, or all. Plain blending is always among them [default: those that do not draw the
+    /// scene again for each layer, and dual-depth-peeling; hybrid-layer-peeling if there are slices or volumes]
+    #[arg(short, long, value_name = "METHODS")]
+    method: Vec<String>,
+    /// The number of rounds. A method whose frames have taken five seconds takes no part in further ones
+    #[arg(long, value_name = "N", default_value_t = 9, value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    frames: u32,
+    /// The file of all counts and times, .csv
+    #[arg(long, value_name = "FILE")]
+    csv: Option<PathBuf>,
+    /// Print one JSON object per method and nothing else
+    #[arg(long)]
+    json: bool,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  onionskin bench scene.toml
+  onionskin bench a.toml b.toml -m verified-painter,dfb+ppdp --frames 41
+  onionskin bench scene.toml -m all --csv costs.csv
+  onionskin bench scene.toml --json | jq 'select(.of_blend < 2) | .method'";
+
+impl Bench {
+    pub(super) fn run(self) -> Result<ExitCode> {
+        // Faults of the arguments and of the scenes are reported before anything long begins.
+        let asked = Asked::of(&self.method)?;
+        self.check_paths()?;
+        let scenes = self
+            .scenes
+            .iter()
+            .map(|path| Ok(self.rendering.load(path)?.scene));
+        let scenes: Vec<Scene> = scenes.collect::<Result<_>>()?;
+        let context = self.rendering.gl.context()?;
+        let device = context.driver().renderer.clone();
+        let mut csv = String::new();
+        for scene in &scenes {
+            let rows = measure::measure(&self.rendering, &context, scene, &asked, self.frames)?;
+            let rows = Rows {
+                scene,
+                device: &device,
+                rows,
+            };
+            self.print(&rows)?;
+            csv += &rows.csv(csv.is_empty());
+        }
+        if let Some(path) = &self.csv {
+            save_text(path, &csv)?;
+        }
+        Ok(ExitCode::SUCCESS)
+    }
+
+    fn check_paths(&self) -> Result<()> {
+        let Some(path) = &self.csv else {
+            return Ok(());
+        };
+        if path.extension().is_none_or(|ending| ending != "csv") {
+            return Err(Error::FileName {
+                path: path.to_owned(),
+                kind: "table",
+                remedy: "name it .csv",
+            });
+        }
+        check_writable(path)
+    }
+
+    fn print(&self, rows: &Rows<'_>) -> Result<()> {
+        if self.json {
+            let mut fields = rows.rows.iter().map(|row| rows.fields(row));
+            return fields.try_for_each(|fields| print_json(&fields));
+        }
+        let scene = rows.scene;
+        let [width, height] = scene.size;
+        let fragments = rows.rows.iter().find_map(|row| row.counts.fragments);
+        let fragments = fragments.map_or_else(String::new, |count| format!(", {count} fragments"));
+        say(format_args!(
+            "{}: {width} x {height}, {} triangles{fragments}, on {}\n{}\n",
+            scene.name,
+            scene.triangle_count(),
+            rows.device,
+            table::table(rows)
+        ))?;
+        table::left_out(rows).iter().for_each(output::note);
+        Ok(())
+    }
+}

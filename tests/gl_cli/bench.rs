@@ -1,0 +1,172 @@
+//! `onionskin bench`: its counts are the library's, its ratios those of its times. What the times are is not tested.
+
+use onionskin::Method;
+use serde_json::{Map, Value};
+
+use crate::kit::sheets::{SHEETS, desk, library};
+
+type Object = Map<String, Value>;
+
+fn number(object: &Object, key: &str) -> f64 {
+    let value = object.get(key).and_then(Value::as_f64);
+    value.unwrap_or_else(|| panic!("no {key}: {object:?}"))
+}
+
+#[test]
+fn every_method_has_its_counts_and_a_ratio_to_plain_blending() {
+    let desk = desk();
+    let methods = "verified-painter,dfb+ppdp,dual-depth-peeling";
+    let answer = desk.run(&[
+        "bench",
+        "sheets.toml",
+        "--json",
+        "--frames",
+        "3",
+        "-m",
+        methods,
+    ]);
+    assert_eq!((answer.code, answer.err.as_str()), (0, ""), "{answer}");
+    let objects = answer.objects();
+    let names: Vec<_> = objects
+        .iter()
+        .map(|object| object["method"].as_str().unwrap())
+        .collect();
+    assert_eq!(names.join(","), format!("blend,{methods}"), "{answer}");
+    let base = number(&objects[0], "ms");
+    for object in &objects {
+        let method: Method = object["method"].as_str().unwrap().parse().unwrap();
+        let stats = library(&desk, "sheets.toml", None, &method).stats;
+        assert_eq!(object["geometry_passes"], stats.geometry_passes, "{answer}");
+        assert_eq!(object["iterations"], stats.iterations, "{answer}");
+        assert_eq!(object["triangles"], stats.triangles, "{answer}");
+        assert_eq!(object["fragments"], stats.fragments, "{answer}");
+        assert_eq!(object["frames"], 3, "{answer}");
+        assert_eq!(object["left_out"], Value::Null, "{answer}");
+        let [min, median, max] = ["ms_min", "ms", "ms_max"].map(|key| number(object, key));
+        assert!(0.0 < min && min <= median && median <= max, "{answer}");
+        // A number read from JSON may differ in its last digit.
+        let ratio = number(object, "of_blend") / (median / base);
+        assert!((ratio - 1.0).abs() < 1e-12, "{answer}");
+    }
+    // Sheets one behind the other are proved to be in order; all fragments of an A-buffer are in its lists.
+    assert_eq!(objects[1]["marked_pixels"], 0);
+    assert_eq!(objects[1]["list_fragments"], 0);
+    assert_eq!(objects[2]["list_fragments"], objects[2]["fragments"]);
+    assert_eq!(objects[3]["list_fragments"], Value::Null);
+}
+
+#[test]
+fn what_cannot_be_proved_is_counted() {
+    let soup = "size = [40, 30]\n[[mesh]]\ngenerate = \"soup\"\ncount = 400\nalpha = [0.3, 0.7]\n";
+    let desk = desk().with("soup.toml", soup);
+    let answer = desk.run(&[
+        "bench",
+        "soup.toml",
+        "--json",
+        "--frames",
+        "1",
+        "-m",
+        "verified-painter",
+    ]);
+    let objects = answer.objects();
+    let counts = library(&desk, "soup.toml", None, &Method::VerifiedPainter)
+        .stats
+        .verified
+        .unwrap();
+    assert!(counts.marked_pixels > 0);
+    assert_eq!(
+        objects[1]["marked_pixels"], counts.marked_pixels,
+        "{answer}"
+    );
+    assert_eq!(
+        objects[1]["list_fragments"], counts.list_fragments,
+        "{answer}"
+    );
+}
+
+#[test]
+fn a_method_that_does_not_draw_volumes_has_a_row_that_says_why() {
+    let fog = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/scenes/fog.toml");
+    let answer = desk().run(&[
+        "bench",
+        fog,
+        "--size",
+        "32x24",
+        "--frames",
+        "1",
+        "-m",
+        "painter,dfb+ppdp",
+        "--json",
+    ]);
+    assert_eq!(answer.code, 0, "{answer}");
+    let objects = answer.objects();
+    for refused in &objects[..2] {
+        let why = refused["left_out"].as_str().unwrap();
+        assert!(why.contains("draws surfaces only"), "{answer}");
+        assert_eq!(refused["ms"], Value::Null);
+    }
+    assert!(number(&objects[2], "ms") > 0.0);
+    assert_eq!(
+        objects[2]["of_blend"],
+        Value::Null,
+        "there is nothing to be relative to"
+    );
+    let table = desk().run(&[
+        "bench",
+        fog,
+        "--size",
+        "32x24",
+        "--frames",
+        "1",
+        "-m",
+        "painter,dfb+ppdp",
+    ]);
+    table.says(&["note: painter: ", "draws surfaces only"]);
+}
+
+#[test]
+fn the_csv_has_the_lines_of_all_scenes_under_one_line_of_names() {
+    let desk = desk().with("other.toml", SHEETS.replace("count = 5", "count = 2"));
+    let out = desk.result(&[
+        "bench",
+        "sheets.toml",
+        "other.toml",
+        "-m",
+        "painter",
+        "--frames",
+        "2",
+        "--csv",
+        "costs.csv",
+    ]);
+    assert!(
+        out.contains("sheets: 40 x 30") && out.contains("other: 40 x 30"),
+        "{out}"
+    );
+    let csv = String::from_utf8(desk.files()["costs.csv"].clone()).unwrap();
+    let lines: Vec<_> = csv.lines().collect();
+    assert_eq!(lines.len(), 5, "{csv}");
+    assert!(
+        lines[0].starts_with("scene,width,height,device,by,method,"),
+        "{csv}"
+    );
+    let begins = |line: &str, scene| assert!(line.starts_with(&format!("{scene},40,30,")), "{csv}");
+    lines[1..3].iter().for_each(|line| begins(line, "sheets"));
+    lines[3..].iter().for_each(|line| begins(line, "other"));
+}
+
+#[test]
+fn bad_input_is_refused_before_anything_is_measured_or_written() {
+    let desk = desk();
+    let refused = |arguments: &[&str], says: &[&str]| {
+        let all = [&["bench", "--csv", "costs.csv"], arguments].concat();
+        desk.refused(&all).says(says);
+    };
+    refused(&["sheets.toml", "--frames", "0"], &["--frames", "1..="]);
+    refused(&["sheets.toml", "-m", "dbf"], &["no method 'dbf'", "dfb"]);
+    refused(&["sheets.toml", "nothing.toml"], &["nothing.toml"]);
+    refused(&[], &["SCENE|MODEL"]);
+    desk.refused(&["bench", "sheets.toml", "--csv", "costs.txt"])
+        .says(&["name it .csv"]);
+    desk.refused(&["bench", "sheets.toml", "--csv", "no/costs.csv"])
+        .says(&["there is no folder no"]);
+}
