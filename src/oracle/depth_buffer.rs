@@ -1,5 +1,6 @@
 //! The resolution of depth buffers: which distances they can tell apart.
 
+use super::surfaces::{Meeting, SNAP};
 use crate::scene::Camera;
 
 /// A depth buffer between two clip planes: the window-space depth of a distance, and the error of a rasteriser's depth.
@@ -42,8 +43,7 @@ impl DepthBuffer {
     /// GPUs do: a corner moves by half a step along each axis.
     #[must_use]
     pub fn with_snapped_corners(self) -> Self {
-        let snap = std::f64::consts::FRAC_1_SQRT_2 / 256.0;
-        Self { snap, ..self }
+        Self { snap: SNAP, ..self }
     }
 
     /// A depth buffer of 32-bit floats that holds 1/w, whose error is relative to its value.
@@ -77,6 +77,12 @@ impl DepthBuffer {
             return 1.0 / inverse;
         }
         self.far * self.near / (self.far - self.near)
+    }
+
+    /// The error of a surface's depth at a point: the error of the depth of any surface of this slope, and that of the
+    /// triangle's shape.
+    pub fn noise_at(&self, at: &Meeting) -> f64 {
+        self.noise(at.inverse, at.slope) + self.steepness(at.inverse) * at.error
     }
 
     /// The error of a surface's depth at the distance 1 / `inverse`, if its 1 / distance changes by `slope` from pixel

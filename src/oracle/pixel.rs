@@ -156,7 +156,7 @@ impl<'l> Visible<'l> {
 ///
 /// Triangles with the same corners in the same order have the same depth in every buffer, and do not count.
 pub fn hangs(surfaces: &Surfaces<'_>, list: &[Located], buffer: &DepthBuffer, bound: f64) -> bool {
-    let noise = |located: &Located| buffer.noise(located.at.inverse, located.at.slope);
+    let noise = |located: &Located| buffer.noise_at(&located.at);
     let noises = list.iter().map(noise);
     let most = noises.fold(0.0, f64::max);
     let mut visible = 1.0;

@@ -21,6 +21,9 @@ pub struct Surfaces<'s> {
     firsts: Vec<u32>,
 }
 
+/// By how many pixels an edge may be moved when its corners are snapped to a grid of 1/256 pixel.
+pub const SNAP: f64 = std::f64::consts::FRAC_1_SQRT_2 / 256.0;
+
 /// The point where a ray meets a triangle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Meeting {
@@ -28,6 +31,8 @@ pub struct Meeting {
     pub inverse: f64,
     /// The change of `inverse` from pixel to pixel, along x and y together.
     pub slope: f64,
+    /// By how much a rasteriser's `inverse` may be off because of the triangle's shape.
+    pub error: f64,
     /// Whether the ray passes beside the triangle. This happens if the driver, which snaps corners to a grid, has moved
     /// an edge over the pixel's centre. `inverse` is then that of the nearest point of the triangle's outline.
     pub beside: bool,
@@ -74,9 +79,12 @@ impl<'s> Surfaces<'s> {
             },
             None => (triangle.inverse_at(at), false),
         };
+        // Beside the triangle, the rasteriser goes on along its plane.
+        let moved = if beside { slope * SNAP } else { 0.0 };
         Meeting {
             inverse,
             slope,
+            error: triangle.error + moved,
             beside,
         }
     }
@@ -151,6 +159,8 @@ struct Triangle {
     inverse: [f64; 3],
     /// The corners in the window, or `None` if one is not before the eye.
     outline: Option<[Corner; 3]>,
+    /// By how much 1 / distance may be off if the plane is computed from the corners in f32.
+    error: f64,
     /// The least and the greatest 1 / distance of a corner.
     least: f64,
     most: f64,
@@ -176,6 +186,7 @@ impl Triangle {
         };
         Self {
             inverse,
+            error: outline.map_or(0.0, |outline| interpolation_error(&outline)),
             outline,
             least,
             most,
@@ -185,6 +196,26 @@ impl Triangle {
     fn inverse_at(&self, [x, y]: [f64; 2]) -> f64 {
         self.inverse[0] * x + self.inverse[1] * y + self.inverse[2]
     }
+}
+
+/// By how much 1 / distance in a triangle may be off if its change along x and along y is computed in f32.
+///
+/// Both are differences of two products, of an edge's change of 1 / distance and another edge's length along the other
+/// axis, divided by twice the area, which is such a difference, too. Each product has three roundings of 2^-24. In a sliver
+/// across the axes the products are far larger than their differences, by the ratio of its box to its area.
+fn interpolation_error(outline: &[Corner; 3]) -> f64 {
+    let extent = |axis: usize| {
+        let values = outline.map(|corner| corner[axis]);
+        let most = values.into_iter().fold(f64::NEG_INFINITY, f64::max);
+        most - values.into_iter().fold(f64::INFINITY, f64::min)
+    };
+    let [a, b, c] = *outline;
+    let twice_the_area = side(a, b, [c[0], c[1]]).abs();
+    let products = extent(2) * extent(0) * extent(1);
+    // Two products for x, two for y, two for the area.
+    let error = 6.0 * 3.0 * 2.0_f64.powi(-24) * products / twice_the_area;
+    // An edge-on triangle in one plane with the eye has no box, or no area.
+    if error.is_nan() { 0.0 } else { error }
 }
 
 /// The 1 / distance at the outline's nearest point, or `None` if the place is inside of the outline.
