@@ -130,8 +130,9 @@ fn two_panes_1_cm_apart_100_away_are_in_their_order() {
 }
 
 /// Two steep panes, 0.0001 apart along the view direction. At a distance z of 2.7 to 6 their depths differ by
-/// 10/9 x 0.0001 / 4z, which is 4.6e-6 to 1.0e-5. Roundings are good for 1.2e-6 and corners that are snapped for 3.1e-5,
-/// because the depth changes by 0.0056 from pixel to pixel.
+/// 10/9 x 0.0001 / 4z, which is 4.6e-6 to 1.0e-5. Roundings are good for 4e-6 (2 x 1.2e-6, and 2 x 0.8e-6 for the shape of the
+/// triangles) and corners that are snapped for 3.1e-5, because the depth changes by 0.0056 from pixel to pixel. Snapping
+/// decides on every driver where the centre of a pixel lies beside the triangle, at a few pixels of the outline.
 #[test]
 fn another_renderer_may_snap_corners_whatever_this_driver_does() {
     let context = Context::headless().unwrap();
@@ -149,7 +150,7 @@ fn another_renderer_may_snap_corners_whatever_this_driver_does() {
     let count = |mask: &[bool]| mask.iter().filter(|&&hangs| hangs).count();
     assert!(count(&hanging.given) > 1000, "{}", count(&hanging.given));
     match context.driver().quirks().interpolates_true_corners {
-        true => assert_eq!(count(&hanging.drawn), 0),
+        true => assert!(count(&hanging.drawn) < 10, "{}", count(&hanging.drawn)),
         false => assert_eq!(hanging.drawn, hanging.given),
     }
 }
