@@ -25,13 +25,15 @@ pub(super) struct Kept {
 type Twin = fn(&Inputs<'_>) -> Outputs;
 
 /// Every twin by its file's name.
-const TWINS: [(&str, Twin); 17] = [
+const TWINS: [(&str, Twin); 19] = [
     ("surface", surface),
     ("peel", peel),
     ("coplanar", coplanar),
     ("layer", layer),
     ("over", over),
     ("under", under),
+    ("alive/first", alive_first),
+    ("alive/later", alive_later),
     ("clip/open_open", |i| {
         clip(i, |low, z, high| low < z && z < high)
     }),
@@ -119,6 +121,23 @@ fn over(i: &Inputs<'_>) -> Outputs {
 // under.frag
 fn under(i: &Inputs<'_>) -> Outputs {
     keep(premultiplied(layer_of(i)?))
+}
+
+// alive/first.frag
+fn alive_first(i: &Inputs<'_>) -> Outputs {
+    let opaque_depth = (i.texel)(1)[0];
+    Some(Kept {
+        depth: Some(opaque_depth),
+        ..under(i)?
+    })
+}
+
+// alive/later.frag
+fn alive_later(i: &Inputs<'_>) -> Outputs {
+    if (i.texel)(3)[0] == 0.0 {
+        return None;
+    }
+    alive_first(i)
 }
 
 // verified/surface.frag

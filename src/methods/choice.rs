@@ -148,6 +148,28 @@ pub(super) const LITERAL: Choice = Choice {
     help: "Run the paper's text without what fills its silence, too",
 };
 
+/// Those of a paper's improvements that it only points at, and this edition's own.
+pub(super) const IMPROVE: Choice = Choice {
+    name: "improve",
+    takes: Takes::Value("LIST"),
+    help: "Improvements that the paper only points at, or that are this edition's own, separated by commas. Depth peeling has \
+           late-query and alive; coherent layer peeling A and B have tie-friendly, early-stop, cull and batches=N; the ideal \
+           GPU has tight-bound",
+};
+
+/// # Errors
+/// If both are chosen.
+pub(super) fn one_of_both(reading: Reading, improved: bool) -> Result<()> {
+    if reading != Reading::Amended && improved {
+        return Err(Error::option(
+            "improve",
+            "the paper without amendments has none of the improvements",
+            "leave them out, or let the paper be amended",
+        ));
+    }
+    Ok(())
+}
+
 /// Reads the paper's text like this.
 ///
 /// # Errors

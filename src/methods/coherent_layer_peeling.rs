@@ -10,7 +10,7 @@
 use super::algorithm::{Algorithm, Composited, DrawOrder, Drawn, Setup};
 use super::allocate_maps::allocate_maps;
 use super::batches::{Batch, batches, begin_batch};
-use super::choice::{AS_PRINTED, Choice, LITERAL, Setter, Takes, number, read};
+use super::choice::{AS_PRINTED, IMPROVE, LITERAL, Setter, number, one_of_both, read};
 use super::culling::Extents;
 use super::entry::{EXACT_BUT_NOT_SLICES, Entry, Memory, Ties, Volumes};
 use super::expect_known::expect_known;
@@ -342,27 +342,6 @@ impl Technique for CoherentOptions {
         (self.batches > 1 || self.cull)
             .then_some("batches and culling compare triangles with window-space depth")
     }
-}
-
-/// What the paper only points at. The ideal GPU has improvements of its own.
-pub(super) const IMPROVE: Choice = Choice {
-    name: "improve",
-    takes: Takes::Value("LIST"),
-    help: "Improvements that the paper only points at, separated by commas. Variants A and B have tie-friendly, \
-           early-stop, cull and batches=N; the ideal GPU has tight-bound",
-};
-
-/// # Errors
-/// If both are chosen.
-pub(super) fn one_of_both(reading: Reading, improved: bool) -> Result<()> {
-    if reading != Reading::Amended && improved {
-        return Err(Error::option(
-            "improve",
-            "the paper without amendments has none of the improvements",
-            "leave them out, or let the paper be amended",
-        ));
-    }
-    Ok(())
 }
 
 fn improve(options: &mut CoherentOptions, improvement: &str) -> Result<()> {

@@ -10,7 +10,7 @@
 
 use super::algorithm::{Algorithm, Composited, Drawn, Setup};
 use super::allocate_maps::allocate_maps;
-use super::choice::{self, Choice, LITERAL, Setter, Takes, read};
+use super::choice::{self, Choice, IMPROVE, LITERAL, Setter, Takes, one_of_both, read};
 use super::depth_unit_0::DepthUnit0;
 use super::entry::{Entry, Memory, Ties, Volumes};
 use super::expect_known::expect_known;
@@ -53,6 +53,12 @@ pub struct DepthPeelingOptions {
     pub occlusion_ratio: f64,
     /// The way in which layers become an image.
     pub compositing: Compositing,
+    /// An improvement: what counts a layer's pixels is read after the next peel was submitted, so that nothing waits for
+    /// it. It takes a peel more ([`vtk::LATE_QUERY`]), and composites on the fly.
+    pub late_query: bool,
+    /// An improvement: a pixel whose last peel was empty is peeled no more ([`vtk::ALIVE`]). It composites on the fly, and
+    /// needs depths that are floats.
+    pub alive: bool,
     /// How Listing 1 and the blending function are read. Without amendments all objects, opaque or not, are peeled in
     /// `maximum_number_of_peels` passes, which must be at least one.
     pub reading: Reading,
@@ -87,8 +93,18 @@ impl Algorithm for DepthPeeling {
     fn prepare(&mut self, machine: &mut GlMachine<'_>, _: &Scene) -> Result<()> {
         self.options.check()?;
         requirements::check(machine.context().driver(), self.color)?;
+        if self.options.alive && !self.depth.has_float_depth() {
+            return Err(Error::option(
+                "depth",
+                "with the improvement alive, depths go through a shader, which may round those of a fixed-point format",
+                "choose a depth format with floats, or leave the improvement out",
+            ));
+        }
         if self.options.maximum_number_of_peels == 0 && self.may_get_stuck() {
             self.bound = iteration_bound(machine)?;
+            if self.options.late_query {
+                self.bound += 1.0;
+            }
         }
         allocate_maps(machine, &[&vtk::PEELING], self.color, self.depth)?;
         if !self.options.keeps_layers() {
@@ -119,7 +135,7 @@ impl Algorithm for DepthPeeling {
             machine,
             self.options.reading,
             listing,
-            self.options.amendments,
+            &self.amendments(),
             variables,
         )?;
         let mut drawn = drawn(&outcome);
@@ -145,6 +161,18 @@ impl DepthPeeling {
         }
     }
 
+    /// The caller's, then the improvements that are chosen.
+    fn amendments(&self) -> Vec<Amendment> {
+        let mut amendments = self.options.amendments.to_vec();
+        if self.options.late_query {
+            amendments.extend(vtk::LATE_QUERY);
+        }
+        if self.options.alive {
+            amendments.extend(vtk::ALIVE);
+        }
+        amendments
+    }
+
     /// Not as printed.
     fn listing(&self) -> &'static Listing {
         match self.options.compositing {
@@ -161,7 +189,7 @@ impl DepthPeeling {
             return expect_known(machine, &everitt_2001::COMPOSITE, amendments, &resources);
         }
         let resources = [&stage::ACCUMULATING, &vtk::PEELING, &everitt_2001::TRIED];
-        expect_known(machine, self.listing(), amendments, &resources)
+        expect_known(machine, self.listing(), &self.amendments(), &resources)
     }
 
     /// Whether a fragment may pass the comparison with its own depth again and again. This is possible if the compared
@@ -279,6 +307,15 @@ impl Technique for DepthPeelingOptions {
                 "leave it out, or let the listing be amended",
             ));
         }
+        let improved = self.late_query || self.alive;
+        one_of_both(self.reading, improved)?;
+        if improved && self.compositing == Compositing::KeepLayers {
+            return Err(Error::option(
+                "improve",
+                "late-query and alive are improvements of compositing on the fly, which keeps no layers",
+                "leave them out, or do not ask for the layers",
+            ));
+        }
         if self.is_printed() && self.maximum_number_of_peels == 0 {
             return Err(Error::option(
                 "peels",
@@ -327,6 +364,21 @@ words! { DepthUnit0, "depth unit",
     ClassicSgix "classic-sgix" "With r/q stored, too, and compared by SGIX_shadow and register combiners, as a GeForce3 had them",
 }
 
+fn improve(options: &mut DepthPeelingOptions, improvement: &str) -> Result<()> {
+    match improvement {
+        "late-query" => options.late_query = true,
+        "alive" => options.alive = true,
+        _ => {
+            return Err(Error::unknown(
+                "improvement",
+                improvement,
+                &["late-query", "alive"],
+            ));
+        }
+    }
+    Ok(())
+}
+
 impl Published for DepthPeelingOptions {
     const CHOICES: &'static [Setter<Self>] = &[
         PEELS.of(|o| &mut o.maximum_number_of_peels),
@@ -335,6 +387,7 @@ impl Published for DepthPeelingOptions {
             o.compositing = Compositing::KeepLayers;
             Ok(())
         }),
+        IMPROVE.by(|o, list| list.split(',').try_for_each(|text| improve(o, text))),
         DEPTH_UNIT_0.of(|o| &mut o.depth_unit_0),
         choice::AS_PRINTED.by(|o, _| read(&mut o.reading, Reading::AsPrinted)),
         LITERAL.by(|o, _| read(&mut o.reading, Reading::Literal)),

@@ -7,8 +7,7 @@
 use super::algorithm::{Algorithm, Composited, DrawOrder, Drawn, Setup};
 use super::allocate_maps::allocate_maps;
 use super::buffer_access::{BufferAccess, FETCH, INTERLOCK};
-use super::choice::{AS_PRINTED, LITERAL, Setter, read};
-use super::coherent_layer_peeling::{IMPROVE, one_of_both};
+use super::choice::{AS_PRINTED, IMPROVE, LITERAL, Setter, one_of_both, read};
 use super::entry::{EXACT_BUT_NOT_SLICES, Entry, Memory, Ties, Volumes};
 use super::loop_guard::{LoopGuard, peeled};
 use super::sorting::{SORT, TriangleSort};

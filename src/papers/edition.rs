@@ -27,6 +27,7 @@
 
 use super::paper::Paper;
 use super::stage::{self, IMAGE_COLOR, OPAQUE_DEPTH};
+use super::vtk;
 use crate::papers::lindholm_2015::{ANCHOR, RESOLVED as RESOLVED_IMAGE};
 use crate::steps;
 use crate::steps::{
@@ -45,6 +46,11 @@ pub const PAPER: Paper = Paper {
         ),
         ("count-marked", Text::Listing(COUNT_MARKED, &[])),
         ("place-resolved", Text::Listing(PLACE_RESOLVED, &[])),
+        (
+            "late-query",
+            Text::Listing(vtk::ON_THE_FLY, &vtk::LATE_QUERY),
+        ),
+        ("alive", Text::Listing(vtk::ON_THE_FLY, &vtk::ALIVE)),
     ],
     resources: &[
         &stage::RESOURCES.of(&["verified-painter", "count-marked", "place-resolved"], &[]),
@@ -61,6 +67,19 @@ pub const PAPER: Paper = Paper {
             made: &[],
             storages: &[],
             ..RESOURCES.of(&["place-resolved"], &[PLACED])
+        },
+        &stage::RESOURCES.of(&["late-query", "alive"], &[stage::SURFACE]),
+        &stage::ACCUMULATING.of(&["late-query", "alive"], &[vtk::UNDER_LAYER, stage::LAYER]),
+        &Resources {
+            made: &[],
+            ..vtk::PEELING.of(&["late-query"], &[stage::PEEL_SURFACE])
+        },
+        &Resources {
+            made: &[],
+            ..vtk::PEELING.of(
+                &["alive"],
+                &[stage::PEEL_SURFACE, vtk::UNDER_FIRST, vtk::UNDER_LATER],
+            )
         },
     ],
     claims: &[],

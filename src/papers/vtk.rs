@@ -6,8 +6,10 @@
 
 mod claims;
 mod errata;
+mod improvements;
 mod requirements;
 
+pub use improvements::{ALIVE, LATE_QUERY, UNDER_FIRST, UNDER_LATER};
 pub use requirements::{ALPHA_BITS, REQUIRED_EXTENSIONS, missing_extensions};
 
 use super::paper::Paper;

@@ -60,6 +60,7 @@ mod multi_layer_alpha_blending;
 mod own_shader;
 mod peeling;
 mod peeling_changed;
+mod peeling_improved;
 mod readings;
 mod slices;
 mod smallest_change;

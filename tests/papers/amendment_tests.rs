@@ -11,7 +11,7 @@ use onionskin::papers;
 use crate::ledger::{cited, compiled};
 
 /// Of a method whose paper has no claims here, a test of another binary, with that binary's file.
-const WITHOUT_CLAIMS: [(&str, &str); 2] = [
+const WITHOUT_CLAIMS: [(&str, &str); 4] = [
     (
         "by_images_every_image_is_the_same",
         include_str!("../gl/by_images.rs"),
@@ -19,6 +19,14 @@ const WITHOUT_CLAIMS: [(&str, &str); 2] = [
     (
         "every_bundled_scene_is_exact_by_the_verified_painter",
         include_str!("../gl/verified_painter.rs"),
+    ),
+    (
+        "a_query_that_is_read_a_peel_late_costs_one_peel_and_changes_no_bit",
+        include_str!("../gl/peeling_improved.rs"),
+    ),
+    (
+        "only_pixels_that_are_alive_are_peeled_and_no_bit_changes",
+        include_str!("../gl/peeling_improved.rs"),
     ),
 ];
 
@@ -59,12 +67,14 @@ fn every_amendment_of_every_text_is_among_those_that_are_held_against_the_tests(
 }
 
 /// Improvements, which amend nothing that is wrong and belong to no claim.
-const IMPROVEMENTS: [&str; 5] = [
+const IMPROVEMENTS: [&str; 7] = [
     "GEQUAL",
     "early stop",
     "batches",
     "images",
     "nothing opaque",
+    "late query",
+    "alive",
 ];
 
 /// So that a reader of a listing finds the key in the tables.
