@@ -1,7 +1,9 @@
 //! `onionskin render`: one image.
 
+use std::panic::resume_unwind;
 use std::path::PathBuf;
 use std::process::ExitCode;
+use std::thread;
 
 use clap::Args;
 use onionskin::low_level::image::{FileKind, check_writable};
@@ -56,16 +58,21 @@ impl Render {
         let method = self.method.method()?;
         FileKind::of(&self.output)?;
         check_writable(&self.output)?;
-        let scene = self.setup.scene()?;
-        stages.done("reading the scene");
+        // Side by side, because a large model takes seconds to read, and a driver takes a twentieth of one to start.
+        let (scene, context) = thread::scope(|scope| {
+            let scene = scope.spawn(|| self.setup.scene());
+            let context = self.setup.gl.context();
+            (scene.join(), context)
+        });
+        let scene = scene.unwrap_or_else(|panic| resume_unwind(panic))?;
         self.method.slices.check_scene(&scene)?;
         let method = self.method.or_automatic(method);
-        let context = self.setup.gl.context()?;
+        let context = context?;
         let mut renderer = self
             .method
             .slices
             .apply_to(self.setup.renderer(&context, &scene)?)?;
-        stages.done("OpenGL context");
+        stages.done("reading, OpenGL context");
         if self.method.chosen.has("layers") {
             let peels = self.method.chosen.value("peels").unwrap_or("0");
             let peels = peels.parse().unwrap_or(0);

@@ -1,8 +1,8 @@
 //! Arguments that several subcommands share: the scene, its size, the OpenGL.
 
-use std::cell::OnceCell;
 use std::ops::Deref;
 use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
 
 use clap::{Args, ValueEnum};
 use onionskin::low_level::oracle::DepthBuffer;
@@ -94,7 +94,7 @@ pub(super) struct Rendering {
     max_memory: Option<MemoryLimit>,
     /// The default limit, which is asked of the system once.
     #[arg(skip)]
-    of_machine: OnceCell<MemoryLimit>,
+    of_machine: OnceLock<MemoryLimit>,
     #[command(flatten)]
     pub(super) gl: Gl,
 }

@@ -31,7 +31,7 @@ pub struct WeightedBlendedOptions {
 }
 
 /// The paper's weights, by the numbers of its equations. Each weight is proportional to the opacity, and falls with the
-/// distance.
+/// distance. The paper has no others, so a caller may match on all of them.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Weight {
     /// It falls with the second power of the distance, and far away with the sixth.

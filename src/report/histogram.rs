@@ -40,7 +40,7 @@ impl PlotKind {
     }
 }
 
-/// A plot that is ready to be written.
+/// A plot that is ready to be written. Nothing will be added: a caller writes each kind in a way of its own.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Plot {
     /// An SVG's text.

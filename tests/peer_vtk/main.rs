@@ -34,6 +34,8 @@ const PEELING: Method = Method::DepthPeeling(DepthPeelingOptions {
     reading: onionskin::options::Reading::Amended,
     depth_unit_0: onionskin::options::DepthUnit0::Sampler,
     amendments: &[],
+    late_query: false,
+    alive: false,
 });
 
 /// In steps of 8 bits.
