@@ -129,6 +129,40 @@ fn random_triangles_are_exact() {
     }
 }
 
+/// The eye among triangles of all sizes, which the near plane cuts and some of which lie far outside of the image; with
+/// scenes at the origin and far from it.
+#[test]
+fn random_triangles_around_the_eye_are_exact() {
+    let context = Context::headless().unwrap();
+    let mut chance = Chance::new(21);
+    let mut in_lists = 0;
+    for number in 0..60 {
+        let seed = chance.below(1 << 30) as u64;
+        let parameters = Soup {
+            count: 80,
+            alpha: [0.1, 0.9],
+            triangle_size: [0.01, 4.0],
+            seed,
+            ..Soup::default()
+        };
+        let mut mesh = soup(&parameters).unwrap();
+        let away = chance.vector([0.0, 1e3][number % 2]);
+        for vertex in &mut mesh.vertices {
+            vertex.position += away;
+        }
+        let mut scene = Scene::of("around the eye", vec![mesh]);
+        scene.size = [[64, 48], [17, 90], [1, 1]][number % 3];
+        scene.camera.eye = away + chance.vector(0.5);
+        scene.camera.target = scene.camera.eye + chance.vector(1.0);
+        (scene.camera.near, scene.camera.far) = (10_f64.powf(chance.between(-4.0, -0.5)), 10.0);
+        let frame = render(&context, &scene, &Method::Automatic);
+        let off = off(&context, &scene, &frame);
+        assert!(off <= F32, "scene {number}, seed {seed}: {off}");
+        in_lists += frame.stats.verified.expect("surfaces").list_fragments;
+    }
+    assert!(in_lists > 10_000, "{in_lists}");
+}
+
 #[test]
 fn random_volumes_are_exact() {
     let context = Context::headless().unwrap();
