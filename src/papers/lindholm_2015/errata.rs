@@ -50,7 +50,8 @@ errata! {
         printed: "An 8-bit stencil buffer does not limit the depth complexity: all higher ones share a segment.",
         executed: "By INCR they share one only if max is 255 or more, whose array is then too small for them. By \
                    INCR_WRAP, 260 fragments are given an array of 8.",
-        change: "Count in an integer buffer, as section 5.1 says.",
+        change: "Count in an integer buffer, as section 5.1 says. 6.2 itself names a texture of higher precision for \
+                 larger segments.",
         tests: [papers::emulator_lists::l11_eight_bits_send_what_is_past_255_to_the_wrong_segment],
     }
     LX07 ("sections 5.1 and 6.2") Gap {
