@@ -115,11 +115,14 @@ pub const CLEAR_AND_FILL: Listing = Listing {
     steps: steps! {
         prose "three sequential steps as illustrated in Figure 3: the Clear Step, the Fill Step, and the Resolve Step";
         line "// Clear Step";
+        edition "maps are written through framebuffers";
         glBindFramebuffer(CLEARED);
+        prose "three sequential steps as illustrated in Figure 3: the Clear Step, the Fill Step, and the Resolve Step";
         glClearBufferuiv(0);
         glClearBufferuiv(1);
         prose "capture and store a list of rasterized fragments on a per-pixel basis (called Fragment List)";
         line "// Fill Step: fill fragment list";
+        edition "where the shader finds counters, lists and pool; opaque surfaces cull, and colours and depths stay as they are";
         glBindFramebuffer(FILL);
         glDepthMask(false);
         glBindImageTexture(0, COUNTER);
@@ -131,10 +134,11 @@ pub const CLEAR_AND_FILL: Listing = Listing {
         glEnable(DEPTH_TEST);
         glDepthFunc(LESS);
         glColorMask(false, false, false, false);
+        prose "capture and store a list of rasterized fragments on a per-pixel basis (called Fragment List)";
         glUseProgram(FILL_ATOMICALLY);
         drawTransparentObjects();
+        edition "the lists can be read, and the rest is as it was before";
         glMemoryBarrier();
-        edition "as it was before";
         glColorMask(true, true, true, true);
     },
 };
@@ -161,8 +165,11 @@ pub const BEGIN_AT_OFFSETS: Amendment = Amendment {
     place: "figure 3, Clear Step",
     printed: steps! { glClearBufferuiv(0); },
     amended: steps! {
+        edition "the draw reaches every pixel";
         glDisable(DEPTH_TEST);
+        prose "the explicit pointer holds a base offset into the pool";
         glBindStorageBuffer(2, OFFSETS);
+        edition "the counter begins there";
         glUseProgram(BEGIN);
         drawScreen();
     },
@@ -181,9 +188,12 @@ pub const PROXIES: Amendment = Amendment {
     printed: steps! { drawTransparentObjects(); },
     amended: steps! {
         drawTransparentObjects();
+        edition "a list has all faces of a box, wherever they lie";
         glDisable(DEPTH_TEST);
         glEnable(DEPTH_CLAMP);
+        prose "only the associated proxy geometry is rendered during the Fill Step";
         drawProxies();
+        edition "as it was before";
         glDisable(DEPTH_CLAMP);
         glEnable(DEPTH_TEST);
     },
@@ -297,11 +307,10 @@ pub const FILL_FOR_PP_AO: Listing = Listing {
     source: "Lindholm et al. 2015, figure 3 and sections 5.1 and 6.2",
     dialect: Dialect::Calls,
     steps: steps! {
-        prose "the ppAO component is implemented using an 8bit stencil buffer for masking the different complexity segments";
+        edition "the stencil buffer of section 6.2 begins with nothing counted, and with the operations that OpenGL has at first";
         glBindFramebuffer(FILL);
         glClearStencil(0);
         glClear(STENCIL_BUFFER_BIT);
-        edition "as OpenGL has it at first";
         glStencilOp(KEEP, KEEP, KEEP);
         run CLEAR_AND_FILL;
     },
