@@ -13,8 +13,8 @@ use super::ledger::{Ledger, run};
 ///
 /// Every claim that a program can check has a verdict. `reproduced`: it holds as it is printed. `in kind`: what it says
 /// holds, with other figures, on other scenes or in a part only. `contradicted`: it does not hold. `amended`: it does
-/// not hold as it is printed, and it does with corrections or additions. With a key, the tests that show it are named.
-/// Needs no OpenGL.
+/// not hold as it is printed, and it does with corrections or additions. `open`: nothing here decides it, such as times on
+/// a paper's GPUs. With a key, the tests that show it are named. Needs no OpenGL.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Claims {

@@ -33,15 +33,19 @@ pub enum Verdict {
     Contradicted,
     /// It does not hold as it is printed, and it does with corrections or additions, which the evidence names.
     Amended,
+    /// Nothing here decides it: it is about what is not at hand, such as times on the paper's GPUs. The evidence says what
+    /// was found instead.
+    Open,
 }
 
 impl Verdict {
     /// Every verdict, from the best.
-    pub const ALL: [Self; 4] = [
+    pub const ALL: [Self; 5] = [
         Self::Reproduced,
         Self::InKind,
         Self::Contradicted,
         Self::Amended,
+        Self::Open,
     ];
 }
 
@@ -52,6 +56,7 @@ impl fmt::Display for Verdict {
             Self::InKind => "in kind",
             Self::Contradicted => "contradicted",
             Self::Amended => "amended",
+            Self::Open => "open",
         })
     }
 }

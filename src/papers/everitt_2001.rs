@@ -25,18 +25,12 @@ use super::paper::Paper;
 use super::{stage, vtk};
 use crate::steps::{Listing, Resources, Text};
 
-/// The paper's texts. The amendments to Listing 1 are VTK's.
+/// The paper's texts. Listing 1 needs no amendment; with VTK's it is part of [`vtk::KEEP_LAYERS`].
 pub const PAPER: Paper = Paper {
     key: "everitt",
     citation: "Cass Everitt, Interactive Order-Independent Transparency, NVIDIA 2001",
     texts: &[
-        (
-            "listing-1",
-            Text::Listing(
-                LISTING_1,
-                &[vtk::CULL_BY_OPAQUE, vtk::QUERY, vtk::KEEP_DEPTH],
-            ),
-        ),
+        ("listing-1", Text::Listing(LISTING_1, &[])),
         ("listing-2", Text::Listing(LISTING_2, &[ENABLED])),
         (
             "shadow-as-depth-test",
@@ -56,8 +50,12 @@ pub const PAPER: Paper = Paper {
     ],
     resources: &[
         &Resources::NONE.of(&["listing-2", "shadow-as-depth-test", "sgix-shadow"], &[]),
-        &stage::RESOURCES.of(&["listing-1"], &[]),
-        &vtk::PEELING.of(&["listing-1"], &[stage::PEEL_SURFACE, vtk::OVER]),
+        &Resources {
+            maps: vtk::PEELING.maps,
+            made: &[composite::LAYER_I],
+            variables: &["num_passes"],
+            ..Resources::NONE.of(&["listing-1"], &[])
+        },
         &COMPOSITING.of(&["composite"], &[stage::LAYER]),
     ],
     claims: claims::CLAIMS,

@@ -12,17 +12,21 @@ pub mod components;
 mod errata;
 pub mod fused;
 mod names;
+mod resolve;
 
 pub use complexity::{COMPLEXITY_IMAGE, COMPLEXITY_OF_ALL, COUNT_BY_STENCIL};
 pub use names::{
     ANCHOR, CLEARED, COST, COUNTER, COVERED, FILL, NEXT, OFFSETS, POOL, RAY_ENDS, RECORDS, RESOLVED,
 };
+pub use resolve::{BY_COUNTER, LAST_TAKES_THE_REST, MARKED, NO_STENCIL, PP_AO, RESOLVE, RESOLVING};
+
 use names::{
     BEGIN, COUNT_ATOMICALLY, FILL_ATOMICALLY, FILL_IN_ORDER, RESOLVE_ALL, RESOLVE_SEGMENT,
+    RESOLVE_SEGMENT_OR_REST,
 };
 
 use super::paper::Paper;
-use super::stage::{self, IMAGE_COLOR, OPAQUE_DEPTH};
+use super::stage::{self, OPAQUE_DEPTH};
 use crate::steps;
 use crate::steps::pseudo::Pseudocode;
 use crate::steps::{
@@ -88,7 +92,7 @@ pub const PAPER: Paper = Paper {
         },
         &Resources {
             variables: &["num_segments"],
-            ..Resources::NONE.of(&["pp-ao"], &[RESOLVE_SEGMENT])
+            ..Resources::NONE.of(&["pp-ao"], &[RESOLVE_SEGMENT, RESOLVE_SEGMENT_OR_REST])
         },
     ],
     claims: claims::CLAIMS,
@@ -115,11 +119,14 @@ pub const CLEAR_AND_FILL: Listing = Listing {
     steps: steps! {
         prose "three sequential steps as illustrated in Figure 3: the Clear Step, the Fill Step, and the Resolve Step";
         line "// Clear Step";
+        edition "maps are written through framebuffers";
         glBindFramebuffer(CLEARED);
+        prose "three sequential steps as illustrated in Figure 3: the Clear Step, the Fill Step, and the Resolve Step";
         glClearBufferuiv(0);
         glClearBufferuiv(1);
         prose "capture and store a list of rasterized fragments on a per-pixel basis (called Fragment List)";
         line "// Fill Step: fill fragment list";
+        edition "where the shader finds counters, lists and pool; opaque surfaces cull, and colours and depths stay as they are";
         glBindFramebuffer(FILL);
         glDepthMask(false);
         glBindImageTexture(0, COUNTER);
@@ -131,10 +138,11 @@ pub const CLEAR_AND_FILL: Listing = Listing {
         glEnable(DEPTH_TEST);
         glDepthFunc(LESS);
         glColorMask(false, false, false, false);
+        prose "capture and store a list of rasterized fragments on a per-pixel basis (called Fragment List)";
         glUseProgram(FILL_ATOMICALLY);
         drawTransparentObjects();
+        edition "the lists can be read, and the rest is as it was before";
         glMemoryBarrier();
-        edition "as it was before";
         glColorMask(true, true, true, true);
     },
 };
@@ -161,8 +169,11 @@ pub const BEGIN_AT_OFFSETS: Amendment = Amendment {
     place: "figure 3, Clear Step",
     printed: steps! { glClearBufferuiv(0); },
     amended: steps! {
+        edition "the draw reaches every pixel";
         glDisable(DEPTH_TEST);
+        prose "the explicit pointer holds a base offset into the pool";
         glBindStorageBuffer(2, OFFSETS);
+        edition "the counter begins there";
         glUseProgram(BEGIN);
         drawScreen();
     },
@@ -181,9 +192,12 @@ pub const PROXIES: Amendment = Amendment {
     printed: steps! { drawTransparentObjects(); },
     amended: steps! {
         drawTransparentObjects();
+        edition "a list has all faces of a box, wherever they lie";
         glDisable(DEPTH_TEST);
         glEnable(DEPTH_CLAMP);
+        prose "only the associated proxy geometry is rendered during the Fill Step";
         drawProxies();
+        edition "as it was before";
         glDisable(DEPTH_CLAMP);
         glEnable(DEPTH_TEST);
     },
@@ -205,91 +219,6 @@ pub const OPAQUE_ENDS_RAYS: Listing = Listing {
     },
 };
 
-/// The Resolve Step with one program for all pixels.
-pub const RESOLVE: Listing = Listing {
-    title: "Resolve Step with a Local Array of N",
-    source: "Lindholm et al. 2015, figure 3",
-    dialect: Dialect::Calls,
-    steps: steps! {
-        edition "what the Resolve Step reads and writes";
-        run BEFORE_RESOLVE;
-        prose "the prevalent approach ... is to allocate a fixed sized array, of size N per thread";
-        glUseProgramOfSize(RESOLVE_ALL, "N");
-        drawScreen();
-        edition "as it was before";
-        run AFTER_RESOLVE;
-    },
-};
-
-/// ppAO (section 5.1), masked by the stencil buffer as section 6.2 has it: "different segments are triggered by
-/// modifying the OpenGL stencil function".
-pub const PP_AO: Listing = Listing {
-    title: "per-pixel Array Optimization: a resolve program for each complexity segment",
-    source: "Lindholm et al. 2015, sections 5.1 and 6.2",
-    dialect: Dialect::Calls,
-    steps: steps! {
-        edition "what the Resolve Step reads and writes";
-        run BEFORE_RESOLVE;
-        prose "the ppAO component is implemented using an 8bit stencil buffer for masking the different complexity segments";
-        glEnable(STENCIL_TEST);
-        edition "the resolved pixels are counted";
-        glBeginQuery(COVERED);
-        prose "enclosed in a loop on the CPU, where different segments are triggered by modifying the OpenGL stencil function";
-        i = 8;
-        for (segment in 0..num_segments) {
-            glUseProgramOfSize(RESOLVE_ALL, "i");
-            glStencilReference(GEQUAL, "i", 0xFF);
-            drawScreen();
-            i = i * 2;
-        }
-        edition "the resolved pixels are counted";
-        glEndQuery(COVERED);
-        edition "as it was before";
-        glDisable(STENCIL_TEST);
-        run AFTER_RESOLVE;
-    },
-};
-
-/// Erratum LX07. Of all stencil operations, INVERT goes furthest.
-pub const MARKED: Amendment = Amendment {
-    key: "LX07",
-    kind: Kind::Filling("Section 5.1: the comment \"mark pixel as resolved\""),
-    place: "sections 5.1 and 6.2, how a pixel is marked as resolved",
-    printed: steps! { glEnable(STENCIL_TEST); },
-    amended: steps! {
-        glEnable(STENCIL_TEST);
-        glStencilOp(KEEP, KEEP, INVERT);
-    },
-    why: "a resolved pixel must not pass the next segment's test",
-    test: "l11_of_the_marks_only_invert_works_and_only_up_to_128",
-};
-
-/// To [`PP_AO`]: errata LX05 and LX06. A pixel belongs to one segment by its own count, which has 32 bits. The last segment
-/// takes every pixel that is left.
-pub const BY_COUNTER: Amendment = Amendment {
-    key: "LX05, LX06",
-    kind: Kind::Correction,
-    place: "section 5.1, if depth complexity(p) <= i",
-    printed: steps! {
-        glUseProgramOfSize(RESOLVE_ALL, "i");
-        glStencilReference(GEQUAL, "i", 0xFF);
-    },
-    amended: steps! { glUseProgramOfSize(RESOLVE_SEGMENT, "i"); },
-    why: "an integer counter is compared, previous segment < count <= i; the last segment takes all that are left",
-    test: "l11_as_printed_the_stencil_loses_what_lies_past_the_last_segment",
-};
-
-/// Goes with [`BY_COUNTER`].
-pub const NO_STENCIL: Amendment = Amendment {
-    key: "LX07",
-    kind: Kind::Correction,
-    place: "section 6.2, stencil masking",
-    printed: steps! { glEnable(STENCIL_TEST); },
-    amended: steps! {},
-    why: "no pixel is in two segments, so none has to be marked",
-    test: "lx07_as_printed_pixels_are_resolved_twice",
-};
-
 /// The Fill Step before [`PP_AO`]. Section 5.1 counts in an integer buffer, which is the fill's own counter. The stencil
 /// buffer of section 6.2 is another one.
 pub const FILL_FOR_PP_AO: Listing = Listing {
@@ -297,11 +226,10 @@ pub const FILL_FOR_PP_AO: Listing = Listing {
     source: "Lindholm et al. 2015, figure 3 and sections 5.1 and 6.2",
     dialect: Dialect::Calls,
     steps: steps! {
-        prose "the ppAO component is implemented using an 8bit stencil buffer for masking the different complexity segments";
+        edition "the stencil buffer of section 6.2 begins with nothing counted, and with the operations that OpenGL has at first";
         glBindFramebuffer(FILL);
         glClearStencil(0);
         glClear(STENCIL_BUFFER_BIT);
-        edition "as OpenGL has it at first";
         glStencilOp(KEEP, KEEP, KEEP);
         run CLEAR_AND_FILL;
     },
@@ -318,7 +246,8 @@ pub const COUNT_INTO_STENCIL: Amendment = Amendment {
     test: "lx16_literally_the_stencil_buffer_holds_no_count_and_masks_nothing",
 };
 
-/// To [`CLEAR_AND_FILL`], in [`COUNT_INTO_STENCIL`].
+/// To [`CLEAR_AND_FILL`], in [`COUNT_INTO_STENCIL`]. The stencil function is OpenGL's at first, and in a later band the last
+/// segment's: it lets every count pass that belongs to a segment. What comes after sets its own operation.
 pub const COUNT_WHILE_FILLING: Amendment = Amendment {
     key: "LX16",
     kind: Kind::Filling(COUNTS_ALONG),
@@ -326,11 +255,8 @@ pub const COUNT_WHILE_FILLING: Amendment = Amendment {
     printed: steps! { drawTransparentObjects(); },
     amended: steps! {
         glEnable(STENCIL_TEST);
-        glStencilFunc(ALWAYS, 0, 0xFF);
         glStencilOp(KEEP, KEEP, INCR);
         drawTransparentObjects();
-        glDisable(STENCIL_TEST);
-        glStencilOp(KEEP, KEEP, KEEP);
     },
     why: "the stencil buffer counts along",
     test: "lx16_literally_the_stencil_buffer_holds_no_count_and_masks_nothing",
@@ -368,33 +294,6 @@ pub const CLEAR_AND_COUNTING_FILL: Listing = Listing {
     },
 };
 
-const BEFORE_RESOLVE: Listing = Listing {
-    title: "What the Resolve Step reads and writes",
-    source: "Lindholm et al. 2015, figure 3",
-    dialect: Dialect::Calls,
-    steps: steps! {
-        glBindFramebuffer(RESOLVED);
-        glDisable(DEPTH_TEST);
-        glEnable(BLEND);
-        glBlendFunc(ONE, ONE_MINUS_SRC_ALPHA);
-        glActiveTexture(1);
-        glBindTexture(COUNTER);
-        glActiveTexture(2);
-        glBindTexture(ANCHOR);
-        glActiveTexture(0);
-    },
-};
-
-const AFTER_RESOLVE: Listing = Listing {
-    title: "As it was before",
-    source: "Lindholm et al. 2015, figure 3",
-    dialect: Dialect::Calls,
-    steps: steps! {
-        glDisable(BLEND);
-        glDepthMask(true);
-    },
-};
-
 /// What the Clear Step and the Fill Step take for granted if lists are filled by atomics. Other fills attach other maps,
 /// because an attachment costs time.
 pub const FILLING: Resources = Resources {
@@ -407,20 +306,5 @@ pub const FILLING: Resources = Resources {
         Framebuffer::new(FILL, &[], Some(OPAQUE_DEPTH)),
     ],
     storages: &[RECORDS, NEXT, OFFSETS, POOL],
-    ..Resources::NONE
-};
-
-/// What the Resolve Step takes for granted besides its variables.
-pub const RESOLVING: Resources = Resources {
-    maps: &[
-        (COUNTER, Holds::Exactly(Format::R32Ui)),
-        (ANCHOR, Holds::Exactly(Format::R32Ui)),
-        (COST, Holds::Exactly(Format::Rgba32Ui)),
-    ],
-    framebuffers: &[Framebuffer::new(
-        RESOLVED,
-        &[IMAGE_COLOR, COST],
-        Some(OPAQUE_DEPTH),
-    )],
     ..Resources::NONE
 };

@@ -16,7 +16,7 @@ pub const OPAQUE_FIRST: Listing = Listing {
     source: "the common stage",
     dialect: Dialect::Calls,
     steps: steps! {
-        glBindFramebuffer(IMAGE);
+        run INTO_THE_IMAGE;
         glClearDepth(1.0);
         glDepthMask(true);
         glClear(COLOR_AND_DEPTH_BUFFER_BITS);
@@ -24,6 +24,17 @@ pub const OPAQUE_FIRST: Listing = Listing {
         glDepthFunc(LESS);
         glUseProgram(SURFACE);
         drawOpaqueObjects();
+    },
+};
+
+/// It stands apart, because no paper says it.
+const INTO_THE_IMAGE: Listing = Listing {
+    title: "Into the image",
+    source: "the common stage",
+    dialect: Dialect::Calls,
+    steps: steps! {
+        edition "maps are drawn to through framebuffers";
+        glBindFramebuffer(IMAGE);
     },
 };
 

@@ -74,8 +74,9 @@ pub const KEEP_LAYERS: Listing = Listing {
         composited = 0;
         prose "the algorithm peels the translucent geometry from front to back until there is no more geometry to render";
         run LISTING_1 amended by &[CULL_BY_OPAQUE, QUERY, KEEP_DEPTH];
-        prose "the last step perfoms compositing with each layer, back-to-front order";
+        edition "maps are drawn to through framebuffers";
         glBindFramebuffer(COMPOSITE);
+        prose "the last step perfoms compositing with each layer, back-to-front order";
         run BACK_TO_FRONT amended by &[WITH_ALPHA, ONLY_THE_LAYER, COUNT_THE_LAYER];
     },
 };
@@ -155,10 +156,12 @@ pub const QUERY: Amendment = Amendment {
     place: "Listing 1, render scene",
     printed: steps! { render scene; },
     amended: steps! {
+        edition "peels are counted";
+        peels = i + 1;
+        prose "an occlusion query test on each pass indicates whether that layer was empty; if it was, the algorithm halts";
         glBeginQuery(PEELED);
         drawTransparentObjects();
         glEndQuery(PEELED);
-        peels = i + 1;
         peeled = samples(PEELED);
         stop if (peeled == 0) because EmptyLayer;
     },
@@ -178,9 +181,11 @@ pub const KEEP_DEPTH: Amendment = Amendment {
     printed: steps! { save color buffer RGBA as layer i; },
     amended: steps! {
         save color buffer RGBA as layer i;
+        edition "a layer's depths tell its pixels from the background";
         glCopyImageSubData(DEPTH_BUFFER_B, LAYER_DEPTH_I);
         num_layers = i + 1;
         if (occlusion_ratio > 0) {
+            edition "a draw over the screen counts the layer's pixels, which the query of the peel does not";
             glColorMask(false, false, false, false);
             glBindFramebuffer(COMPOSITE);
             glUseProgram(OVER);
@@ -192,6 +197,7 @@ pub const KEEP_DEPTH: Amendment = Amendment {
             glColorMask(true, true, true, true);
             glUseProgram(PEEL_SURFACE);
             glBindFramebuffer(PEEL);
+            prose "the number of pixels modified by the last peel is less than some ratio of the area of the window";
             pixels = samples(PIXELS);
             stop if (pixels < (occlusion_ratio * window_area)) because OcclusionRatio;
         }
@@ -221,22 +227,29 @@ pub const UNDER: Amendment = Amendment {
     place: "Listing 1, save color buffer RGBA as layer i",
     printed: steps! { save color buffer RGBA as layer i; },
     amended: steps! {
+        edition "layers are accumulated apart from the opaque image";
         glBindFramebuffer(ACCUMULATION);
+        prose "if it was possible to do front-to-back compositing, we could perform compositing on the fly";
         glEnable(BLEND);
         glBlendFuncSeparate(ONE_MINUS_DST_ALPHA, ONE, ONE_MINUS_DST_ALPHA, ONE);
         glUseProgram(UNDER_LAYER);
+        edition "the shader looks the layer's depths up on unit 3, and its colours on unit 2; its pixels are counted";
         glActiveTexture(3);
         glBindTexture(DEPTH_BUFFER_B);
         glActiveTexture(2);
         glBindTexture(COLOR_BUFFER);
         glBeginQuery(PIXELS);
+        prose "if it was possible to do front-to-back compositing, we could perform compositing on the fly";
         drawScreen();
+        edition "layers and their pixels are counted";
         glEndQuery(PIXELS);
         glDisable(BLEND);
         pixels = samples(PIXELS);
         composited = composited + pixels;
         num_layers = i + 1;
+        prose "the number of pixels modified by the last peel is less than some ratio of the area of the window";
         stop if (pixels < (occlusion_ratio * window_area)) because OcclusionRatio;
+        edition "back to what the peels draw into, and with";
         glBindFramebuffer(PEEL);
         glUseProgram(PEEL_SURFACE);
     },
@@ -289,7 +302,7 @@ pub const DEPTH_BUFFERS: [Map; 2] = [
 ];
 const DEPTH_BUFFER_B: Map = Map::at("depth buffer", "B");
 const LAYER_DEPTH_I: Map = Map::at("layer depth", "i");
-pub(super) const OVER: Shader = Shader("over");
+const OVER: Shader = Shader("over");
 /// Puts a layer under those before it.
 pub const UNDER_LAYER: Shader = Shader("under");
 const PEELED: Query = Query("peeled");

@@ -76,10 +76,10 @@ impl<S: Statement> Amendment<S> {
     }
 
     /// With how many statements `statements` begin that are the ones this amendment replaces, marks between them
-    /// included.
+    /// included. Its own marks count for nothing.
     fn covers(&self, statements: &[S]) -> Option<usize> {
         let mut covered = 0;
-        for printed in self.printed {
+        for printed in self.printed.iter().filter(|it| it.margin().is_none()) {
             let statement = |it: &S| it.margin().is_none();
             let margins = statements[covered..].iter().position(statement)?;
             // The first statement is where it begins.

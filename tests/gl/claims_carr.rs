@@ -3,6 +3,7 @@
 
 use crate::kit::bounds::F32;
 use crate::kit::carr_scenes::{HYBRID, LAYERS, error, figure_1, ideal, is_ideal};
+use crate::kit::figures::expect_figures;
 use crate::kit::render::{example, render};
 use crate::kit::stack;
 use onionskin::generate::{Soup, soup};
@@ -217,7 +218,7 @@ pub(crate) fn c23_bucket_sort_makes_a_model_sorted_enough() {
         TriangleSort::Buckets(1024),
     ]
     .map(iterations);
-    println!("iterations unsorted, 16 buckets, 1024 buckets: {counts:?}");
+    expect_figures("C23", 0, &counts.map(f64::from));
     assert!(
         counts[0] > counts[1] && counts[1] >= counts[2],
         "{counts:?}"

@@ -3,6 +3,7 @@
 
 use crate::kit::bounds::F32;
 use crate::kit::carr_scenes::{HYBRID, LAYERS, error, figure_1};
+use crate::kit::figures::expect_figures;
 use crate::kit::render::{example, render};
 use onionskin::Camera;
 use onionskin::generate::{Quads, SubmissionOrder, quads};
@@ -40,8 +41,8 @@ pub(crate) fn c01_layer_peeling_s_work_grows_with_the_square_of_the_layers() {
 }
 
 /// Figure 3 to 512 slices. Hybrid layer peeling stays at 3 iterations. Coherent layer peeling stays constant up to 192
-/// slices only, because "we can process at most 128 surfaces in one iteration" (section 5.1): the two sentences
-/// contradict each other (CX29).
+/// slices only, because "we can process at most 128 surfaces in one iteration" (section 5.1), and past that this
+/// cone leaves longer runs of slices (CX29).
 #[test]
 pub(crate) fn c04_c27_past_192_slices_the_128_an_iteration_show() {
     let context = Context::headless().unwrap();
@@ -212,6 +213,9 @@ pub(crate) fn c25_batches_of_a_fixed_size_make_the_work_linear() {
             batched.triangles as f64,
         ]);
     }
+    let column = |column: usize| rows.iter().map(|row| row[column]).collect::<Vec<_>>();
+    expect_figures("C25", 0, &column(2));
+    expect_figures("C25", 1, &column(3));
     for pair in rows.windows(2) {
         let growth = |column: usize| pair[1][column] / pair[0][column];
         // Iterations grow with n either way: a batch has about as many as half of its sheets.

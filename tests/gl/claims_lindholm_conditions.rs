@@ -3,6 +3,7 @@
 
 use crate::kit::a_buffer::*;
 use crate::kit::bounds::F32;
+use crate::kit::figures::expect_figures;
 use crate::kit::stack::row;
 use onionskin::Comparison;
 use onionskin::generate::SubmissionOrder;
@@ -80,7 +81,17 @@ pub(crate) fn l19_l25_figure_6_under_the_paper_s_conditions_and_exactly() {
             );
             rows.push((all, some));
         }
-        check_figure_6(name, &rows.try_into().unwrap());
+        let rows = rows.try_into().unwrap();
+        check_figure_6(name, &rows);
+        if name == "medical" {
+            let three =
+                |count: fn(&ABufferCounts) -> u64| [0, 1, 2].map(|row| count(&rows[row].1) as f64);
+            expect_figures("L19", 0, &three(|counts| counts.slots_reserved));
+            expect_figures("L19", 1, &three(|counts| counts.records_read));
+            let (exact, ended) = &rows[2];
+            let read = [exact, ended].map(|counts| counts.records_read as f64);
+            expect_figures("L25", 0, &read);
+        }
     }
 }
 
@@ -167,6 +178,7 @@ pub(crate) fn l22_in_counts_no_array_size_of_pp_dp_is_the_best() {
         .counts;
     println!("array  records read  subpasses  array slots used, of those reserved");
     let mut before = u64::MAX;
+    let (mut read, mut percent) = (Vec::new(), Vec::new());
     for peel in [1, 2, 4, 8, 16, 32] {
         let options = ABufferOptions {
             pp_dp: true,
@@ -190,7 +202,11 @@ pub(crate) fn l22_in_counts_no_array_size_of_pp_dp_is_the_best() {
         assert_eq!(cost.records_read, expected, "{peel}");
         assert!(cost.records_read < before);
         before = cost.records_read;
+        read.push(cost.records_read as f64);
+        percent.push(used * 100.0);
     }
+    expect_figures("L22", 0, &read);
+    expect_figures("L22", 1, &percent);
 }
 
 /// "Consumption of global memory is almost optimal even for rapidly decreasing DCHs": what DFB and PPLL take over the 16
@@ -199,7 +215,7 @@ pub(crate) fn l22_in_counts_no_array_size_of_pp_dp_is_the_best() {
 pub(crate) fn l23_dynamic_buffers_take_almost_16_bytes_a_fragment() {
     let context = Context::headless().unwrap();
     println!("bytes over 16 a fragment: DFB, PPLL by atomics, PPLL in order, FFB");
-    for (name, _) in &SCENES[..2] {
+    for (number, (name, _)) in SCENES[..2].iter().enumerate() {
         let mut scene = bundled(&format!("{name}.toml"), [128, 96]);
         scene.volumes.clear();
         let mut renderer = Renderer::new(&context, 128, 96).unwrap();
@@ -229,6 +245,7 @@ pub(crate) fn l23_dynamic_buffers_take_almost_16_bytes_a_fragment() {
             each(in_order),
             each(ffb)
         );
+        expect_figures("L23", number, &[dfb, by_atomics, ffb].map(each));
         // An offset a pixel and 1/63 of it for the scan's sums; a link a fragment, and the pool's counter.
         assert!(
             dfb >= 4 * pixels && dfb <= 4 * pixels * 64 / 63 + 64,

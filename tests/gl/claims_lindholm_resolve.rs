@@ -3,8 +3,10 @@
 
 use crate::kit::bounds::F32;
 use onionskin::generate::SubmissionOrder;
+use onionskin::low_level::papers::lindholm_2015::BY_COUNTER;
+use onionskin::low_level::steps::{Amendment, Shader};
 use onionskin::options::{ABufferOptions, Fill, Manager, Reading};
-use onionskin::{Comparison, Context, CountBy, Method, Renderer};
+use onionskin::{Comparison, Context, CountBy, Method, Renderer, steps};
 
 use crate::kit::a_buffer::*;
 use crate::kit::pp_dp::{Rule, peel};
@@ -220,6 +222,41 @@ pub(crate) fn l11_as_printed_the_stencil_loses_what_lies_past_the_last_segment()
         };
         let (frame, _) = render(&mut renderer, &stack.scene(), options);
         assert_eq!(frame.stats.lost, Some(65 + 100 + 300));
+    }
+}
+
+/// Erratum LX05 alone: by the integer counter of LX06 each pixel is in one segment or, past the last, in none.
+#[test]
+pub(crate) fn lx05_by_counter_alone_exactly_what_lies_past_the_last_segment_is_lost() {
+    const BY_COUNTER_ALONE: &[Amendment] = &[Amendment {
+        amended: steps! { glUseProgramOfSize(Shader("a_buffer/resolve_segment"), "i"); },
+        ..BY_COUNTER
+    }];
+    let context = Context::headless().unwrap();
+    let stack = row(&[64, 65, 127, 128, 255, 256, 300]);
+    let mut renderer = Renderer::new(&context, 7, 1).unwrap();
+    // Of the amended ones a static array of the last segment's size holds what it can.
+    for (array, pp_dp, [resolved, lost], lost_amended) in [
+        (64, false, [1, 1131], 747),
+        (64, true, [1, 1131], 0),
+        (256, false, [6, 300], 44),
+    ] {
+        let amended = ABufferOptions {
+            pp_ao: true,
+            pp_dp,
+            array,
+            ..options()
+        };
+        let alone = ABufferOptions {
+            amendments: BY_COUNTER_ALONE,
+            ..amended
+        };
+        let mut counts = |options| {
+            let (frame, cost) = render(&mut renderer, &stack.scene(), options);
+            (cost.resolved, frame.stats.lost)
+        };
+        assert_eq!(counts(alone), (resolved, Some(lost)), "{array}");
+        assert_eq!(counts(amended), (7, Some(lost_amended)), "{array}");
     }
 }
 

@@ -213,13 +213,30 @@ pub(crate) fn v02_pixels_are_counted_and_not_the_fragments_that_changed_them() {
         pixels,
         opaque: None,
     };
+    let end = |amendments, compositing| {
+        let options = DepthPeelingOptions {
+            amendments,
+            ..with_ratio(0.5, compositing)
+        };
+        let stats = peel(&context, &stack, options).stats;
+        (stats.layers, stats.stopped)
+    };
     for compositing in BOTH {
-        let stats = peel(&context, &stack, with_ratio(0.5, compositing)).stats;
-        assert_eq!(
-            (stats.layers, stats.stopped),
-            (Some(1), Some(Reason::OcclusionRatio))
-        );
+        let first = (Some(1), Some(Reason::OcclusionRatio));
+        assert_eq!(end(&[], compositing), first);
     }
+    // The peel's own query: ten are not fewer than half of six, and nine are not, ... but two are.
+    const FRAGMENTS: &[Amendment] = &[changed(
+        vtk::KEEP_DEPTH.amended,
+        steps! {
+            save color buffer RGBA as layer i;
+            glCopyImageSubData(Map::at("depth buffer", "B"), Map::at("layer depth", "i"));
+            num_layers = i + 1;
+            stop if (peeled < (occlusion_ratio * window_area)) because OcclusionRatio;
+        },
+    )];
+    let ninth = (Some(9), Some(Reason::OcclusionRatio));
+    assert_eq!(end(FRAGMENTS, Compositing::KeepLayers), ninth);
 }
 
 #[test]

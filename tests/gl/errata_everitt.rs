@@ -17,9 +17,9 @@ use crate::kit::changed::changed;
 use crate::kit::everitt_scenes::{peel, soup_scene};
 
 /// The calls of Listing 2, and the state that they leave.
-fn listing_2() -> (Vec<Call>, ClassicState) {
+fn listing_2(amendments: &[Amendment]) -> (Vec<Call>, ClassicState) {
     let mut recorder = Recorder::new();
-    run(&LISTING_2, &[], Variables::new(), &mut recorder).unwrap();
+    run(&LISTING_2, amendments, Variables::new(), &mut recorder).unwrap();
     let mut state = ClassicState::new(DMat4::IDENTITY, DMat4::IDENTITY);
     for call in &recorder.calls {
         if let Call::Classic(call) = call {
@@ -58,7 +58,7 @@ fn nothing_is_peeled(layers: &[Layer]) -> bool {
 
 #[test]
 pub(crate) fn ex01_listing_2_enables_nothing() {
-    let (calls, state) = listing_2();
+    let (calls, state) = listing_2(&[]);
     let enables = |call: &&Call| {
         matches!(
             call,
@@ -73,6 +73,9 @@ pub(crate) fn ex01_listing_2_enables_nothing() {
         TexEnvValue::DotProductDepthReplace
     );
     assert_eq!(state.depth_replace(), None);
+    let (calls, state) = listing_2(&[ENABLED]);
+    assert_eq!(calls.iter().filter(enables).count(), 1);
+    assert!(state.depth_replace().is_some());
 }
 
 /// So the depth that is stored is not the one that is compared, as if there were no Listing 2.
@@ -95,7 +98,7 @@ pub(crate) fn ex01_without_the_enabling_the_rasteriser_s_depth_is_stored() {
 
 #[test]
 pub(crate) fn ex02_unit_3_s_environment_drops_the_comparison() {
-    let (_, state) = listing_2();
+    let (_, state) = listing_2(&[]);
     assert_eq!(state.units[3].environment, TexEnvValue::None);
     assert_eq!(
         ClassicState::new(DMat4::IDENTITY, DMat4::IDENTITY).units[3].environment,
@@ -117,7 +120,7 @@ pub(crate) fn ex02_by_unit_3_s_printed_environment_nothing_is_peeled() {
 
 #[test]
 pub(crate) fn ex03_unit_3_has_no_texel_coordinates() {
-    let (_, state) = listing_2();
+    let (_, state) = listing_2(&[]);
     assert_eq!(state.units[3].operation, TexEnvValue::TextureRectangle);
     assert_eq!(
         [1, 2, 3].map(|unit| state.units[unit].texgen),

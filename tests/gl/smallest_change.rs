@@ -5,15 +5,21 @@ use onionskin::low_level::gl::{Geometry, GlMachine};
 use onionskin::low_level::methods::allocate_maps;
 use onionskin::low_level::papers::carr_2008::ideal;
 use onionskin::low_level::papers::everitt_2001::ALPHA;
+use onionskin::low_level::papers::lindholm_2015 as lindholm;
 use onionskin::low_level::papers::{stage, vtk};
-use onionskin::low_level::steps::{Amendment, Variables, run};
-use onionskin::options::{Compositing, DepthPeelingOptions, Reading};
-use onionskin::{Context, Format, Frame, Method, Renderer, Scene};
+use onionskin::low_level::steps::{Amendment, Variables, gl::STENCIL_TEST, run};
+use onionskin::options::{
+    ABufferOptions, Compositing, DepthPeelingOptions, Fill, Manager, Reading,
+};
+use onionskin::{Context, Format, Frame, Method, Renderer, Scene, Transform, steps};
 
+use crate::kit::a_buffer::options;
 use crate::kit::carr_scenes::is_ideal;
+use crate::kit::changed::changed;
+use crate::kit::fog_scenes::fog_and_pane;
 use crate::kit::peeling::peel;
 use crate::kit::shortened::idle;
-use crate::kit::stack::{Stack, scattered};
+use crate::kit::stack::{Stack, row, scattered};
 
 /// Few and many layers before, on and behind an opaque surface, with ties, and pixels that have none.
 fn scene() -> Scene {
@@ -49,7 +55,13 @@ fn seen(frame: &Frame) -> impl PartialEq + use<> {
         .map(|layer| (bits(&layer.color), layer.depth.clone()))
         .collect();
     let stats = &frame.stats;
-    let counted = (stats.iterations, stats.layers, stats.lost, stats.stopped);
+    let counted = (
+        stats.iterations,
+        stats.layers,
+        stats.lost,
+        stats.stopped,
+        stats.a_buffer,
+    );
     (bits(&frame.image), layers, counted)
 }
 
@@ -182,5 +194,158 @@ fn one_step_less_of_algorithm_2_on_opengl_is_noticed() {
             "images 4.0",
         ];
         assert_eq!(idle, barriers);
+    }
+}
+
+/// Amendments that go before a method's own, and turn them into other ones, or take them out.
+fn in_place_of(own: &[Amendment], wanted: &[Amendment]) -> &'static [Amendment] {
+    let put = |it: &Amendment| {
+        let of_it = |other: &&Amendment| other.place == it.place && other.printed == it.printed;
+        let other = wanted.iter().find(of_it);
+        let amended = other.map_or(it.printed, |other| other.amended);
+        Amendment { amended, ..*it }
+    };
+    own.iter().map(put).collect::<Vec<_>>().leak()
+}
+
+/// Two rows of lists, shallow ones and ones past every array, before and behind an opaque surface.
+fn lists() -> Scene {
+    let stack = Stack {
+        width: 4,
+        opaque: Some(700),
+        ..row(&[0, 1, 5, 9, 20, 60, 100, 400])
+    };
+    stack.scene()
+}
+
+/// The eye in the fog, which ends behind an opaque pane; so many clear panes before that one, one behind it, and one before
+/// the near plane.
+fn fog(panes: usize) -> Scene {
+    let mut scene = fog_and_pane(1.2, -0.4, 0.002, 0.3);
+    let clear = scene.meshes[0].clone();
+    let moved = |z: f64| {
+        clear.clone().transformed(&Transform {
+            translate: glam::DVec3::Z * z,
+            ..Default::default()
+        })
+    };
+    let (mut opaque, behind) = (moved(-0.2), moved(-0.4));
+    opaque.opaque = true;
+    let before_the_near_plane = moved(1.3);
+    scene
+        .meshes
+        .extend(std::iter::repeat_n(clear.clone(), panes - 1));
+    scene.meshes.extend([opaque, behind, before_the_near_plane]);
+    scene
+}
+
+/// The changes that nothing notices, of amendments to lists with these options.
+fn idle_of_lists(
+    scene: &Scene,
+    options: ABufferOptions,
+    own: &[Amendment],
+    put: fn(&[Amendment], &[Amendment]) -> &'static [Amendment],
+) -> Vec<String> {
+    let context = Context::headless().unwrap();
+    let run = |amendments| {
+        let [width, height] = scene.size;
+        let mut renderer = Renderer::new(&context, width, height).unwrap();
+        let method = Method::ABuffer(ABufferOptions {
+            amendments,
+            ..options
+        });
+        renderer.render(scene, &method).ok().as_ref().map(seen)
+    };
+    let right = run(&[]);
+    assert!(right.is_some());
+    idle(own, |wanted| run(put(own, wanted)) == right)
+}
+
+const DFB: ABufferOptions = ABufferOptions {
+    manager: Manager::Dfb,
+    fill: Fill::Atomics,
+    // A row at a time.
+    budget: Some(16_500),
+    ..ABufferOptions::DEFAULT
+};
+
+#[test]
+fn one_step_less_of_how_lists_are_filled_is_noticed() {
+    let context = Context::headless().unwrap();
+    let none = Vec::<String>::new();
+    let exact = ABufferOptions { pp_dp: true, ..DFB };
+    let own = [lindholm::BEGIN_AT_OFFSETS];
+    assert_eq!(idle_of_lists(&lists(), exact, &own, in_place_of), none);
+    if context.driver().has("GL_EXT_shader_framebuffer_fetch") {
+        let ordered = ABufferOptions {
+            fill: Fill::Ordered,
+            ..exact
+        };
+        let own = [lindholm::BEGIN_AT_OFFSETS, lindholm::ORDERED];
+        // The atomics in its place fill the same lists. Its one step is needed, for they are left out with it.
+        let idle = idle_of_lists(&lists(), ordered, &own, in_place_of);
+        assert_eq!(idle, ["L04 1"]);
+    } else {
+        println!("skipped: ordered fills, for there is no framebuffer fetch");
+    }
+}
+
+#[test]
+fn one_step_less_of_how_volumes_enter_lists_is_noticed() {
+    let own = [lindholm::PROXIES];
+    // More layers than the stencil buffer counts, so that a second draw counts them.
+    let options = ABufferOptions {
+        manager: Manager::Ffb,
+        pp_dp: true,
+        budget: None,
+        ..DFB
+    };
+    let idle = idle_of_lists(&fog(300), options, &own, in_place_of);
+    assert_eq!(idle, Vec::<String>::new());
+}
+
+#[test]
+fn one_step_less_of_pp_ao_s_masking_is_noticed() {
+    let none = Vec::<String>::new();
+    let amended = ABufferOptions { pp_ao: true, ..DFB };
+    let own = [lindholm::BY_COUNTER, lindholm::NO_STENCIL];
+    // The stencil test that is left out would let everything pass: nothing sets its function.
+    let idle = idle_of_lists(&lists(), amended, &own, in_place_of);
+    assert_eq!(idle, ["LX07 1"]);
+    let printed = ABufferOptions {
+        reading: Reading::AsPrinted,
+        ..amended
+    };
+    let own = [lindholm::MARKED];
+    assert_eq!(idle_of_lists(&lists(), printed, &own, in_place_of), none);
+    let own = [lindholm::COUNT_WHILE_FILLING];
+    assert_eq!(idle_of_lists(&lists(), printed, &own, from_outside), none);
+}
+
+#[test]
+fn a_misspelt_name_in_an_amendment_to_lists_is_refused() {
+    const MISSPELT: [&[Amendment]; 2] = [
+        &[changed(
+            steps! { glDepthMask(false); },
+            steps! { glBindTexture(onionskin::low_level::steps::Map::named("fragment couter")); },
+        )],
+        &[changed(
+            steps! { glEnable(STENCIL_TEST); },
+            steps! { glBindTexture(onionskin::low_level::steps::Map::named("list ancor")); },
+        )],
+    ];
+    let context = Context::headless().unwrap();
+    for (amendments, meant) in MISSPELT
+        .into_iter()
+        .zip(["'fragment counter'", "'list anchor'"])
+    {
+        let method = Method::ABuffer(ABufferOptions {
+            amendments,
+            pp_ao: true,
+            ..options()
+        });
+        let mut renderer = Renderer::new(&context, 4, 2).unwrap();
+        let error = renderer.render(&lists(), &method).unwrap_err().to_string();
+        assert!(error.contains(meant), "{error}");
     }
 }

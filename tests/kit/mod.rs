@@ -13,6 +13,7 @@ pub mod diff;
 pub mod emulated;
 pub mod everitt_scenes;
 pub mod exact_scenes;
+pub mod figures;
 pub mod fog;
 pub mod fog_plans;
 pub mod fog_scenes;

@@ -75,6 +75,12 @@ pub(crate) fn ex08_two_figures_have_one_number() {
             ("Figure 5. This diagram", 1),
             ("Figure 5. The depth peeled layers", 1),
             ("Figure 6", 0),
+            // The first in the text, and three times the second.
+            ("Figure 5 illustrates the general operation", 1),
+            ("Figure 5 illustrates the results of compositing", 1),
+            ("the bottom two images in Figure 5", 1),
+            ("the scene in Figure 5", 1),
+            ("Figure 5", 6),
         ],
     );
 }
@@ -87,6 +93,27 @@ pub(crate) fn vx11_eight_bits_are_asked_for_by_a_boolean() {
             ("at least 8 alpha bits", 1),
             ("vtkRenderWindow::SetAlphaBitPlanes(1)", 1),
             ("alpha bits (as initial value is 0 (false) )", 1),
+        ],
+    );
+}
+
+#[test]
+pub(crate) fn cx18_z_min_prev_is_called_z_prev_min_once() {
+    prints(
+        CARR_SECOND_SCAN,
+        &[("z_prev_min", 1), ("the value of z_prev_min", 1)],
+    );
+}
+
+#[test]
+pub(crate) fn cx25_five_passes_are_promised_and_then_saved_to() {
+    prints(
+        CARR,
+        &[
+            ("onto modern graphics hardware using five passes", 1),
+            ("by a single pass bringing the total count to five", 1),
+            ("(pass 5)", 1),
+            ("(pass 6)", 1),
         ],
     );
 }

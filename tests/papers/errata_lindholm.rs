@@ -32,9 +32,14 @@ pub(crate) fn lx08_filled_once_a_segment_every_fragment_is_there_four_times() {
 
 #[test]
 pub(crate) fn lx11_an_empty_list_takes_a_subpass_without_a_last_element() {
-    let run = run_on_lists(&PP_DP, &[STOP], &[Vec::new()], 8, 100).unwrap();
-    let pixel = &run.pixels[0];
+    let of = |count: usize| {
+        let run = run_on_lists(&PP_DP, &[STOP], &[list(&vec![0.5; count])], 8, 100).unwrap();
+        let pixel = &run.pixels[0];
+        (pixel.subpasses, pixel.records_read, pixel.composited.len())
+    };
     // One subpass, which stores the depth of the last of no elements. The emulated pixel stores nothing then.
-    assert_eq!((pixel.subpasses, pixel.records_read), (1, 0));
-    assert_eq!(pixel.composited, Vec::<u32>::new());
+    assert_eq!(of(0), (1, 0, 0));
+    // A full buffer has a last element, and takes as many.
+    assert_eq!(of(8), (1, 8, 8));
+    assert_eq!(of(9).0, 2);
 }

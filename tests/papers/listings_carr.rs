@@ -1,6 +1,6 @@
 //! The listings and algorithms of Carr et al. (2008): what the paper says of them, and where amendments hold. No GL.
 
-use onionskin::low_level::papers::carr_2008::{coherent, hybrid, ideal, passes};
+use onionskin::low_level::papers::carr_2008::{coherent, hybrid, ideal};
 use onionskin::low_level::steps::{print, pseudo};
 use onionskin::{Text, papers};
 
@@ -52,18 +52,6 @@ pub(crate) fn cx25_the_passes_of_section_5_are_six() {
         .matches("drawTransparentObjects")
         .count();
     assert_eq!(draws, 5);
-}
-
-#[test]
-pub(crate) fn cx18_three_calls_of_section_6_do_nothing() {
-    // glClearStencil without a clear of the stencil, and a clear of the depth that the next line makes again.
-    let text = print::listing(&passes::SECTION_6, &[]);
-    assert!(
-        text.contains("glClearStencil(0)") && !text.contains("STENCIL_BUFFER_BIT"),
-        "{text}"
-    );
-    let cleared_twice = "glClear(DEPTH_BUFFER_BIT);\nglClear(COLOR_AND_DEPTH_BUFFER_BITS);";
-    assert!(text.contains(cleared_twice), "{text}");
 }
 
 #[test]

@@ -7,7 +7,8 @@ use std::path::Path;
 
 use onionskin::low_level::steps::pseudo::{self, list};
 use onionskin::low_level::steps::{
-    Amendment, Listing, Met, Origin, Reading, Scope, Spelling, Statement, Step, gl::*, print,
+    Amendment, Dialect, Listing, Met, Origin, Reading, Scope, Spelling, Statement, Step, TextLine,
+    gl::*, print,
 };
 use onionskin::{Text, lists, papers, pseudo, steps, texts};
 
@@ -293,13 +294,82 @@ fn every_line_of_every_text_has_an_origin() {
     const NONE: Listing = Listing {
         title: "",
         source: "",
-        dialect: onionskin::low_level::steps::Dialect::Calls,
+        dialect: Dialect::Calls,
         steps: steps! { drawScreen(); },
     };
     assert!(
         print::lines(&NONE, &[])
             .iter()
             .all(|line| line.origin.is_none())
+    );
+}
+
+/// Calls that connect other calls with maps, and do nothing by themselves.
+const PLUMBING: [&str; 7] = [
+    "glActiveTexture(",
+    "glBindBufferBase(",
+    "glBindFramebuffer(",
+    "glBindImageTexture(",
+    "glBindTexture(",
+    "glFramebufferDepth(",
+    "glMemoryBarrier(",
+];
+
+/// The words of a sentence that ask for such a call.
+const ASKING: [(&str, &str); 2] = [
+    ("glBindTexture(", "textured quad"),
+    ("glBindBufferBase(", "base offset into the pool"),
+];
+
+/// Lines of plumbing that are said to be a sentence's, though it does not ask for them.
+fn not_asked_for(lines: &[TextLine]) -> Vec<&str> {
+    let unasked = |line: &&TextLine| {
+        let text = line.text.trim_start();
+        let Some(call) = PLUMBING.iter().find(|call| text.starts_with(**call)) else {
+            return false;
+        };
+        let asks = |quote: &str| {
+            ASKING
+                .iter()
+                .any(|(asked, words)| asked == call && quote.contains(words))
+        };
+        matches!(line.origin, Some(Origin::Prose { quote }) if !asks(quote))
+    };
+    let unasked = lines.iter().filter(unasked);
+    unasked.map(|line| line.text.as_str()).collect()
+}
+
+#[test]
+fn no_sentence_is_said_to_ask_for_a_texture_unit() {
+    let mut plumbing = 0;
+    for paper in papers() {
+        for (key, text) in paper.texts {
+            for reading in Reading::ALL {
+                let lines = text.lines(reading);
+                let none: [&str; 0] = [];
+                assert_eq!(not_asked_for(&lines), none, "{}/{key}", paper.key);
+                let is = |line: &&TextLine| line.text.trim_start().starts_with("glActiveTexture(");
+                plumbing += lines.iter().filter(is).count();
+            }
+        }
+    }
+    assert!(plumbing > 50, "{plumbing}");
+    const STEPS: &[Step] = steps! {
+        prose "each layer as viewport-sized textured quad";
+        glActiveTexture(2);
+        glBindTexture(onionskin::low_level::papers::stage::ACCUMULATED);
+        edition "as it was before";
+        glActiveTexture(0);
+    };
+    let listing = Listing {
+        title: "",
+        source: "",
+        dialect: Dialect::Calls,
+        steps: STEPS,
+    };
+    assert_eq!(
+        not_asked_for(&print::lines(&listing, &[])),
+        ["glActiveTexture(TEXTURE2);"]
     );
 }
 

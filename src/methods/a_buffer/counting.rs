@@ -33,7 +33,7 @@ impl ABuffer {
     pub(super) fn count(
         &mut self,
         machine: &mut GlMachine<'_>,
-        proxies: &[Amendment],
+        amendments: &[Amendment],
     ) -> Result<Vec<u32>> {
         if let Some(layers) = self.options.fixed_layers {
             let [width, height] = machine.size();
@@ -43,7 +43,7 @@ impl ABuffer {
         if !self.options.has_offsets() && machine.format(stage::OPAQUE_DEPTH)?.has_stencil() {
             machine.framebuffer_with(stage::COUNTED, &[], depth)?;
             let variables = Variables::new();
-            run(&paper::COUNT_BY_STENCIL, proxies, variables, machine)?;
+            run(&paper::COUNT_BY_STENCIL, amendments, variables, machine)?;
             self.counts.counting_passes += 1;
             let counts = machine.read_counts(stage::OPAQUE_DEPTH)?;
             if deepest(&counts) <= STENCIL_COUNTS {
@@ -52,7 +52,7 @@ impl ABuffer {
         }
         machine.framebuffer_with(stage::COUNTED, &[stage::COMPLEXITY], depth)?;
         let variables = Variables::new();
-        run(&stage::COUNT_AT_EACH_PIXEL, proxies, variables, machine)?;
+        run(&stage::COUNT_AT_EACH_PIXEL, amendments, variables, machine)?;
         self.counts.counting_passes += 1;
         machine.read_counts(stage::COMPLEXITY)
     }

@@ -38,6 +38,7 @@ use array_sort::{inserts, network_size};
 use options::SMALLEST_SEGMENT;
 
 use super::algorithm::{Algorithm, Composited, Drawn};
+use super::expect_known::expect_known;
 use super::proxies::proxies;
 use super::stats::ABufferCounts;
 use super::technique::Technique;
@@ -46,7 +47,7 @@ use crate::gl::{Format, GlMachine, Texels, largest_storage};
 use crate::papers::lindholm_2015 as paper;
 use crate::papers::stage;
 use crate::scene::Scene;
-use crate::steps::{Amendment, Machine, Reading, Reason, Variables, run};
+use crate::steps::{Amendment, Listing, Machine, Reading, Reason, Resources, Variables, run};
 
 /// More subpasses than a pixel can have, and a number that GLSL takes as an integer.
 const NO_LIMIT: u32 = i32::MAX as u32;
@@ -162,6 +163,7 @@ impl ABuffer {
 impl Algorithm for ABuffer {
     fn prepare(&mut self, machine: &mut GlMachine<'_>, scene: &Scene) -> Result<()> {
         self.options.check()?;
+        self.expect_known(machine)?;
         if self.options.is_printed() && self.options.pp_ao {
             expect_stencil(machine)?;
         }
@@ -205,13 +207,13 @@ impl Algorithm for ABuffer {
 
     fn draw(&mut self, machine: &mut GlMachine<'_>, scene: &Scene) -> Result<Drawn> {
         run(&stage::OPAQUE_FIRST, &[], Variables::new(), machine)?;
-        let proxies = proxies(scene);
+        let amendments = [self.options.amendments, proxies(scene)].concat();
         if machine.has_inverse_w() {
             // The Fill Step's shaders look it up.
             run(&paper::OPAQUE_ENDS_RAYS, &[], Variables::new(), machine)?;
         }
         self.counts = ABufferCounts::default();
-        self.complexity = self.count(machine, proxies)?;
+        self.complexity = self.count(machine, &amendments)?;
         let width = machine.size()[0];
         let budget = self.budget(machine, scene);
         let bands = bands(&self.complexity, width, &self.options, budget)?;
@@ -233,7 +235,7 @@ impl Algorithm for ABuffer {
         let mut fragments_before = 0;
         for band in bands.iter().filter(|band| band.fragments > 0) {
             self.begin_band(machine, band, fragments_before)?;
-            self.draw_band(machine, band, proxies)?;
+            self.draw_band(machine, band, &amendments)?;
             fragments_before += band.fragments;
         }
         machine.set_band(None);
@@ -290,12 +292,37 @@ impl ABuffer {
         }
     }
 
-    /// `proxies` amends the Fill Step if there are volumes.
+    /// The Clear Step and the Fill Step.
+    fn filling(&self) -> &'static Listing {
+        match (self.options.pp_ao, self.options.reading) {
+            (true, Reading::Literal) => &paper::FILL_FOR_PP_AO,
+            (true, Reading::AsPrinted) => &paper::CLEAR_AND_COUNTING_FILL,
+            (true, Reading::Amended) | (false, _) => &paper::CLEAR_AND_FILL,
+        }
+    }
+
+    /// Checks that the caller's amendments name only what there is.
+    fn expect_known(&self, machine: &GlMachine<'_>) -> Result<()> {
+        const SIZES: Resources = Resources {
+            variables: &["N", "num_segments"],
+            ..Resources::NONE
+        };
+        let amendments = self.options.amendments;
+        let resolving = match self.options.pp_ao {
+            true => &paper::PP_AO,
+            false => &paper::RESOLVE,
+        };
+        let lists = [&stage::COUNTING, &paper::FILLING, &paper::RESOLVING, &SIZES];
+        expect_known(machine, self.filling(), amendments, &lists)?;
+        expect_known(machine, resolving, amendments, &lists)
+    }
+
+    /// The caller's own `amendments`, and what amends the Fill Step if there are volumes.
     fn draw_band(
         &mut self,
         machine: &mut GlMachine<'_>,
         band: &Band,
-        proxies: &[Amendment],
+        amendments: &[Amendment],
     ) -> Result<()> {
         let options = &self.options;
         let quirks = machine.context().driver().quirks();
@@ -308,20 +335,14 @@ impl ABuffer {
             loops::expect_keeping_fits(quirks, array, band.layers)?;
         }
         machine.set_defines(&self.defines(machine, insertion));
-        let mut fill = Vec::new();
+        let mut fill = amendments.to_vec();
         if options.has_offsets() {
             fill.push(paper::BEGIN_AT_OFFSETS);
         }
         if self.ordered(machine) {
             fill.push(paper::ORDERED);
         }
-        fill.extend_from_slice(proxies);
-        let listing = match (options.pp_ao, options.reading) {
-            (true, Reading::Literal) => &paper::FILL_FOR_PP_AO,
-            (true, Reading::AsPrinted) => &paper::CLEAR_AND_COUNTING_FILL,
-            (true, Reading::Amended) | (false, _) => &paper::CLEAR_AND_FILL,
-        };
-        run(listing, &fill, Variables::new(), machine)?;
+        run(self.filling(), &fill, Variables::new(), machine)?;
         self.resolve(machine, band.layers)
     }
 
@@ -349,8 +370,8 @@ impl ABuffer {
             )?;
             return Ok(());
         }
-        let amendments =
-            (options.reading).of(&[paper::BY_COUNTER, paper::NO_STENCIL, paper::MARKED]);
+        let masking = [paper::BY_COUNTER, paper::NO_STENCIL, paper::MARKED];
+        let amendments = [options.amendments, &options.reading.of(&masking)].concat();
         let segments = self.segments_for(layers);
         run(
             &paper::PP_AO,

@@ -4,7 +4,7 @@
 //! `non_exhaustive`, because there are more ways to sort and to fill than these.
 
 pub use crate::gl::network::LARGEST_NETWORK;
-use crate::steps::Reading;
+use crate::steps::{Amendment, Reading};
 
 /// How the global memory of the fragment lists is managed (section 4, figure 4).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -124,6 +124,8 @@ pub struct ABufferOptions {
     /// counts (section 5.1: "no additional rendering passes are required"); what a pixel has no room for is lost, and
     /// counted. With `None`, a pass of its own counts the fragments first, and there is room for all of them.
     pub fixed_layers: Option<u32>,
+    /// More amendments to the listings that run, to try the effect of a changed word. They go before the method's own.
+    pub amendments: &'static [Amendment],
 }
 
 impl ABufferOptions {
@@ -143,6 +145,7 @@ impl ABufferOptions {
         budget: None,
         reading: Reading::Amended,
         fixed_layers: None,
+        amendments: &[],
     };
 
     /// Whether the text runs without amendments.

@@ -73,13 +73,13 @@ claims! {
             gl::classic_listing_2::e06_peeling_as_in_2001_without_depth_replace_mis_peels,
         ],
     }
-    E07 ("An Invariance Issue") Amended {
+    E07 ("An Invariance Issue") InKind {
         claim: "With depth replace the stored and the compared depth are computed in one way, so that no bits differ \
                 and no bias is needed.",
-        evidence: "On 32-bit float depths every pixel that is left over is a tie or lies beyond the far plane, and \
-                   every bias makes it worse. On 24 bits llvmpipe compares a depth that was not rounded with one \
-                   that was, and the loop gets stuck with or without depth replace. Rounding both sides first is the \
-                   cure.",
+        evidence: "It holds on 32-bit float depths: every pixel that is left over is a tie or lies beyond the far \
+                   plane, and every bias makes it worse. On 24 bits, which the paper has, it does not hold here: \
+                   llvmpipe compares a depth that was not rounded with one that was, and the loop gets stuck with \
+                   or without depth replace. Rounding both sides first is the cure.",
         tests: [
             gl::invariance::e07_with_depth_replace_every_pixel_left_over_is_a_tie_or_beyond_the_far_plane,
             gl::invariance::e07_no_bias_is_needed_with_depth_replace_and_none_helps_without_harm,
@@ -189,8 +189,7 @@ claims! {
         ],
         evidence: "As its sentences describe the equations, they hold three divides. A fourth is there if the \
                    lookup's other coordinates are divided, too. The divides cost the last bits: the sides differ in \
-                   more than 200 of 1000 cases, by 6 x 2^-24 at the most. The equations themselves are no part of \
-                   the text at hand.",
+                   331 of 1000 cases, by 2^-24 at most. The equations themselves are no part of the text at hand.",
         tests: [
             papers::everitt_divides::e15_the_left_side_interpolates_three_quantities_and_divides_three_times,
             papers::everitt_divides::e15_the_divides_cost_the_last_bits,

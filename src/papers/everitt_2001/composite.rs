@@ -17,7 +17,9 @@ pub const COMPOSITE: Listing = Listing {
         glBlendFunc(SRC_ALPHA, ONE_MINUS_SRC_ALPHA);
         prose "rendering each layer as viewport-sized textured quad does this";
         glUseProgram(LAYER);
+        edition "the shader looks layers up on unit 2";
         glActiveTexture(2);
+        prose "rendering each layer as viewport-sized textured quad does this";
         for (i in num_layers..0) {
             glBindTexture(LAYER_I);
             drawScreen();

@@ -12,19 +12,19 @@ pub const COMPLEXITY_IMAGE: Listing = Listing {
     source: "Lindholm et al. 2015, section 3.1",
     dialect: Dialect::Calls,
     steps: steps! {
-        prose "all geometries and volume bounding boxes are rendered into an integer image";
+        edition "the counters begin at 0; the shader finds them as image 0; depths stay as they are";
         glBindFramebuffer(COUNTED);
         glClearBufferuiv(0);
+        glBindImageTexture(0, COMPLEXITY);
+        glDepthMask(false);
         prose "when rendering the complexity image, both shading and blending are disabled";
         glColorMask(false, false, false, false);
-        glDepthMask(false);
         glDisable(BLEND);
-        prose "the pixels of this image act as atomic counters and are incremented by the incoming fragments";
-        glBindImageTexture(0, COMPLEXITY);
+        prose "all geometries and volume bounding boxes are rendered into an integer image ... the pixels of this image act as atomic counters and are incremented by the incoming fragments";
         glUseProgram(COUNT_ATOMICALLY);
         drawTransparentObjects();
+        edition "the counts can be read, and the rest is as it was before";
         glMemoryBarrier();
-        edition "as it was before";
         glColorMask(true, true, true, true);
         glDepthMask(true);
     },
@@ -55,17 +55,19 @@ pub const COUNT_BY_STENCIL: Listing = Listing {
     source: "Lindholm et al. 2015, section 6.2",
     dialect: Dialect::Calls,
     steps: steps! {
-        prose "the ppAO component is implemented using an 8bit stencil buffer";
+        edition "the counts begin at 0; colours and depths stay as they are";
         glBindFramebuffer(COUNTED);
         glClearStencil(0);
         glClear(STENCIL_BUFFER_BIT);
         glColorMask(false, false, false, false);
         glDepthMask(false);
+        prose "the ppAO component is implemented using an 8bit stencil buffer";
         glEnable(STENCIL_TEST);
         glStencilFunc(ALWAYS, 0, 0xFF);
         glStencilOp(KEEP, KEEP, INCR);
         glUseProgram(ONE_EACH);
         drawTransparentObjects();
+        edition "as it was before";
         glDisable(STENCIL_TEST);
         glColorMask(true, true, true, true);
         glDepthMask(true);

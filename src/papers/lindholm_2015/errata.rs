@@ -43,6 +43,7 @@ errata! {
         tests: [
             papers::emulator_lists::l11_past_the_last_segment_nothing_is_resolved_as_printed,
             gl::claims_lindholm_resolve::l11_as_printed_the_stencil_loses_what_lies_past_the_last_segment,
+            gl::claims_lindholm_resolve::lx05_by_counter_alone_exactly_what_lies_past_the_last_segment_is_lost,
             gl::fused_as_printed::l11_past_the_last_segment_there_is_no_fog,
         ],
     }
@@ -50,8 +51,12 @@ errata! {
         printed: "An 8-bit stencil buffer does not limit the depth complexity: all higher ones share a segment.",
         executed: "By INCR they share one only if max is 255 or more, whose array is then too small for them. By \
                    INCR_WRAP, 260 fragments are given an array of 8.",
-        change: "Count in an integer buffer, as section 5.1 says.",
-        tests: [papers::emulator_lists::l11_eight_bits_send_what_is_past_255_to_the_wrong_segment],
+        change: "Count in an integer buffer, as section 5.1 says. 6.2 itself names a texture of higher precision for \
+                 larger segments.",
+        tests: [
+            papers::emulator_lists::l11_eight_bits_send_what_is_past_255_to_the_wrong_segment,
+            gl::claims_lindholm_resolve::l11_complexities_of_255_and_more_share_the_last_segment_and_none_is_lost,
+        ],
     }
     LX07 ("sections 5.1 and 6.2") Gap {
         printed: "A pixel that is resolved is marked.",

@@ -35,3 +35,4 @@ pub(super) const FILL_ATOMICALLY: Shader = Shader("a_buffer/fill");
 pub(super) const FILL_IN_ORDER: Shader = Shader("a_buffer/fill_ordered");
 pub(super) const RESOLVE_ALL: Shader = Shader("a_buffer/resolve");
 pub(super) const RESOLVE_SEGMENT: Shader = Shader("a_buffer/resolve_segment");
+pub(super) const RESOLVE_SEGMENT_OR_REST: Shader = Shader("a_buffer/resolve_segment_or_rest");

@@ -171,6 +171,7 @@ pub const RANGE_3: Listing = Listing {
     steps: steps! {
         prose "we clip all surface fragments that fall outside the range [D(sn),min(z_min_prev,opaque_depth) using a simple fragment shader";
         glUseProgram(CLOSED_CLOSED);
+        edition "the shader looks the lower end up on unit 1, and the upper one, the least of three, on units 2 to 4";
         glActiveTexture(1);
         glBindTexture(D_SN);
         glActiveTexture(2);
@@ -190,6 +191,7 @@ pub const RANGE_5: Listing = Listing {
     steps: steps! {
         prose "the interval [D(sn),min(z_min_post,z_min_prev,opaque_depth) ... can use a fragment shader to clip to this range";
         glUseProgram(CLOSED_CLOSED);
+        edition "the shader looks the third upper end up on unit 3";
         glActiveTexture(3);
         glBindTexture(Z_MIN_POST);
     },
@@ -200,7 +202,7 @@ const FROM_D_SC_TO_OPAQUE: Listing = Listing {
     source: "Carr et al. 2008, section 5.1",
     dialect: Dialect::Calls,
     steps: steps! {
-        prose "we are given the interval (D(sc),opaque_depth) stored in maps";
+        edition "the shader looks the lower end up on unit 1, and the upper one, the least of three, on units 2 to 4";
         glActiveTexture(1);
         glBindTexture(D_SC);
         glActiveTexture(2);
