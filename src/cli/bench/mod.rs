@@ -6,8 +6,9 @@ mod rounds;
 mod row;
 mod statistics;
 mod table;
+mod vtk;
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::Args;
@@ -17,8 +18,10 @@ use onionskin::{Error, Result, Scene};
 
 use super::output::{self, print_json, say};
 use super::setup::Rendering;
+use measure::{Task, measure, why};
 use methods::Asked;
 use row::Rows;
+use vtk::{PATIENCE, Vtk};
 
 /// Measure what methods cost, relative to plain blending
 ///
@@ -27,6 +30,9 @@ use row::Rows;
 /// eye moves on a little, and a frame's time has everything that a changed view takes: sorting triangles, uploading their
 /// order, drawing. Reading the image and writing files are not in it. Times are milliseconds: the median, the smallest and
 /// the largest. The ratios are those of medians. They say more than the times, and only within one run.
+///
+/// Where Python has VTK, three of its modes take part in the rounds, in a process of their own: `alpha` blends in the order
+/// of submission, `peel` and `dual` peel without a limit. VTK's image has 8 bits per channel, and its surfaces are not lit.
 ///
 /// Counts are those of the first frame: how often the transparent geometry was drawn, how many fragments lie in lists, and
 /// the memory of the method on the GPU besides the geometry. For the verified painter only the fragments of marked pixels
@@ -46,6 +52,12 @@ pub(super) struct Bench {
     /// The number of rounds. A method whose frames have taken five seconds takes no part in further ones
     #[arg(long, value_name = "N", default_value_t = 9, value_parser = clap::value_parser!(u32).range(1..=10_000))]
     frames: u32,
+    /// The Python whose VTK takes part
+    #[arg(long, value_name = "PROGRAM", conflicts_with = "no_vtk")]
+    python: Option<PathBuf>,
+    /// Leave VTK out
+    #[arg(long)]
+    no_vtk: bool,
     /// The file of all counts and times, .csv
     #[arg(long, value_name = "FILE")]
     csv: Option<PathBuf>,
@@ -73,9 +85,16 @@ impl Bench {
         let scenes: Vec<Scene> = scenes.collect::<Result<_>>()?;
         let context = self.rendering.gl.context()?;
         let device = context.driver().renderer.clone();
+        let task = Task {
+            rendering: &self.rendering,
+            context: &context,
+            asked: &asked,
+            frames: self.frames,
+        };
         let mut csv = String::new();
         for scene in &scenes {
-            let rows = measure::measure(&self.rendering, &context, scene, &asked, self.frames)?;
+            let vtk = self.vtk(scene)?;
+            let rows = measure(&task, scene, vtk)?;
             let rows = Rows {
                 scene,
                 device: &device,
@@ -88,6 +107,32 @@ impl Bench {
             save_text(path, &csv)?;
         }
         Ok(ExitCode::SUCCESS)
+    }
+
+    /// VTK with the scene, if it can take part. A note says why it does not, unless nobody expects it to.
+    fn vtk(&self, scene: &Scene) -> Result<Option<Vtk>> {
+        if self.no_vtk {
+            return Ok(None);
+        }
+        if !scene.volumes.is_empty() {
+            output::note(format_args!(
+                "VTK takes no part in {}: it has volumes",
+                scene.name
+            ));
+            return Ok(None);
+        }
+        let python = self.python.as_deref().unwrap_or(Path::new("python3"));
+        match Vtk::start(python, scene, PATIENCE) {
+            Ok(vtk) => Ok(Some(vtk)),
+            Err(error) if self.python.is_some() => Err(error),
+            Err(error) => {
+                let why = why(&error);
+                output::note(format_args!(
+                    "{why}, so it takes no part (--python names another)"
+                ));
+                Ok(None)
+            }
+        }
     }
 
     fn check_paths(&self) -> Result<()> {

@@ -56,6 +56,18 @@ impl Counts {
     }
 }
 
+impl Row {
+    /// A row before anything is measured.
+    pub(super) fn begun(by: By, method: &str) -> Self {
+        Self {
+            by,
+            method: method.into(),
+            counts: Counts::default(),
+            times: Err("not measured".into()),
+        }
+    }
+}
+
 /// All rows of a scene.
 pub(super) struct Rows<'s> {
     pub(super) scene: &'s Scene,
