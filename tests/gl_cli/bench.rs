@@ -177,6 +177,136 @@ fn bad_input_is_refused_before_anything_is_measured_or_written() {
 }
 
 #[test]
+fn a_sweep_has_more_layers_or_more_disorder_from_scene_to_scene() {
+    let desk = desk();
+    let sweep = |what: &str| {
+        let arguments = [
+            "bench", "--no-vtk", "--sweep", what, "-o", "plots", "--size", "64x48",
+        ];
+        let more = ["-m", "verified-painter", "--frames", "1", "--json"];
+        let answer = desk.run(&[&arguments[..], &more].concat());
+        assert_eq!((answer.code, answer.err.as_str()), (0, ""), "{answer}");
+        let objects = answer.objects();
+        let verified = objects
+            .into_iter()
+            .filter(|object| object["method"] == "verified-painter");
+        verified.collect::<Vec<_>>()
+    };
+    let pixels = 64.0 * 48.0;
+    let depth = sweep("depth");
+    let layers: Vec<_> = depth
+        .iter()
+        .map(|object| number(object, "fragments") / pixels)
+        .collect();
+    assert_eq!(layers, [1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0]);
+    assert!(
+        depth.iter().all(|object| object["marked_pixels"] == 0),
+        "{depth:?}"
+    );
+
+    let disorder = sweep("disorder");
+    let marked: Vec<_> = disorder
+        .iter()
+        .map(|object| number(object, "marked_pixels") / pixels)
+        .collect();
+    assert!(
+        marked.is_sorted() && marked[0] < 0.1 && marked[6] > 0.9,
+        "{marked:?}"
+    );
+    // Strips that lean leave gaps of a pixel here and there, or overlap.
+    let layers = disorder
+        .iter()
+        .map(|object| number(object, "fragments") / pixels);
+    assert!(
+        layers.into_iter().all(|layers| (layers - 16.0).abs() < 0.5),
+        "{disorder:?}"
+    );
+
+    for what in ["depth", "disorder"] {
+        let file =
+            |ending| std::fs::read(desk.path("plots").join(what).with_extension(ending)).unwrap();
+        let csv = String::from_utf8(file("csv")).unwrap();
+        assert_eq!(csv.lines().count(), 1 + 7 * 2, "{csv}");
+        let svg = String::from_utf8(file("svg")).unwrap();
+        assert!(
+            svg.contains("verified-painter\n") && svg.contains("64 x 48"),
+            "{svg}"
+        );
+        assert!(file("png").starts_with(b"\x89PNG"));
+    }
+}
+
+#[test]
+fn a_plot_has_a_mark_for_each_scene_and_method() {
+    let desk = desk().with("other.toml", SHEETS.replace("count = 5", "count = 2"));
+    desk.result(&[
+        "bench",
+        "--no-vtk",
+        "sheets.toml",
+        "other.toml",
+        "-m",
+        "dfb",
+        "--frames",
+        "1",
+        "--plot",
+        "costs.svg",
+    ]);
+    let svg = String::from_utf8(desk.files()["costs.svg"].clone()).unwrap();
+    // Two methods, two scenes, and a mark of each method in the legend.
+    assert_eq!(svg.matches("<circle").count(), 2 * 2 + 2, "{svg}");
+}
+
+#[test]
+fn the_steps_are_those_of_the_listing() {
+    let answer = desk().run(&[
+        "bench",
+        "--no-vtk",
+        "sheets.toml",
+        "-m",
+        "dual-depth-peeling",
+        "--frames",
+        "2",
+        "--steps",
+        "--json",
+    ]);
+    for object in answer.objects() {
+        let steps = object["steps"].as_array().unwrap();
+        let drawn = steps.iter().filter(|step| {
+            step["step"]
+                .as_str()
+                .unwrap()
+                .ends_with(": drawTransparentObjects()")
+        });
+        let passes: u64 = drawn.map(|step| step["times"].as_u64().unwrap()).sum();
+        assert_eq!(
+            passes,
+            object["geometry_passes"].as_u64().unwrap(),
+            "{answer}"
+        );
+        let sum: f64 = steps.iter().map(|step| step["ms"].as_f64().unwrap()).sum();
+        assert!(sum > 0.0, "{answer}");
+    }
+    let table = desk().result(&[
+        "bench",
+        "--no-vtk",
+        "sheets.toml",
+        "-m",
+        "blend",
+        "--steps",
+        "--frames",
+        "1",
+    ]);
+    for part in [
+        "steps of blend",
+        "surface: drawTransparentObjects()",
+        "Each step waited for, by glFinish",
+        "Timer queries ",
+    ] {
+        assert!(table.contains(part), "{table}");
+    }
+}
+
+#[test]
 fn where_there_is_no_vtk_a_line_says_so_and_a_named_python_must_have_it() {
     let desk = desk();
     let measured = [
