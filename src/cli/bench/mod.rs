@@ -95,7 +95,7 @@ Examples:
   onionskin bench scene.toml
   onionskin bench a.toml b.toml -m verified-painter,dfb+ppdp --frames 41
   onionskin bench scene.toml -m all --csv costs.csv
-  onionskin bench --sweep depth -o plots
+  onionskin bench --sweep depth -o out/depth
   onionskin bench scene.toml --json | jq 'select(.of_blend < 2) | .method'";
 
 /// The JSON object of a row.
