@@ -176,6 +176,11 @@ impl Rendering {
         Ok(animation)
     }
 
+    /// The images' size, if it is given.
+    pub(super) fn size(&self) -> Option<[u32; 2]> {
+        self.size
+    }
+
     /// The memory limit. All callers share it.
     pub(super) fn memory(&self) -> MemoryLimit {
         let of_machine = || self.of_machine.get_or_init(MemoryLimit::of_machine);

@@ -123,7 +123,27 @@ impl GlMachine<'_> {
         Ok(())
     }
 
+    /// Executes a call, and times it if steps are timed.
     fn execute(&mut self, call: &Call) -> Result<()> {
+        if !self.step_times.are_timed() || !does_work(call) {
+            return self.carry_out(call);
+        }
+        let program = match call {
+            Call::Draw { .. } => self.programs.current_name(),
+            _ => None,
+        };
+        let step = match program {
+            Some(program) => format!("{program}: {call}"),
+            None => call.to_string(),
+        };
+        let gl = self.context.glow();
+        let begun = self.step_times.begin_step(gl)?;
+        let done = self.carry_out(call);
+        self.step_times.end_step(gl, begun, step);
+        done
+    }
+
+    fn carry_out(&mut self, call: &Call) -> Result<()> {
         let gl = self.context.glow();
         // SAFETY: the context is current. Every constant comes from an enum of OpenGL's own, every object from this
         // machine's tables.
@@ -282,4 +302,16 @@ impl GlMachine<'_> {
         }
         Ok(())
     }
+}
+
+/// Whether a call touches pixels. The others set state, which takes no time.
+fn does_work(call: &Call) -> bool {
+    matches!(
+        call,
+        Call::Clear { .. }
+            | Call::ClearFloats { .. }
+            | Call::ClearIntegers { .. }
+            | Call::CopyImage { .. }
+            | Call::Draw { .. }
+    )
 }

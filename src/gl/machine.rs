@@ -15,6 +15,7 @@ use super::programs::Programs;
 use super::queries::Queries;
 use super::samplers::Samplers;
 use super::scan::Scan;
+use super::step_times::{StepTime, StepTimes};
 use super::storage::Storages;
 use super::volumes::Volumes;
 use crate::error::{Error, Result};
@@ -45,6 +46,7 @@ pub struct GlMachine<'c> {
     pub(super) screen: Option<[u32; 4]>,
     pub(super) geometry_passes: u64,
     pub(super) triangles: u64,
+    pub(super) step_times: StepTimes,
 }
 
 /// Counts of a machine's work since [`GlMachine::begin_frame`].
@@ -94,6 +96,7 @@ impl<'c> GlMachine<'c> {
             screen: None,
             geometry_passes: 0,
             triangles: 0,
+            step_times: StepTimes::default(),
         })
     }
 
@@ -299,6 +302,17 @@ impl<'c> GlMachine<'c> {
         result
     }
 
+    /// Has each step that clears, copies or draws timed from now on, until [`step_times`](Self::step_times) is asked. Frames
+    /// take longer then, because OpenGL is waited for before and after each of these steps.
+    pub fn time_steps(&mut self) {
+        self.step_times.begin();
+    }
+
+    /// The times of the steps since [`time_steps`](Self::time_steps), in the order in which they were first performed.
+    pub fn step_times(&mut self) -> Vec<StepTime> {
+        self.step_times.take(self.context.glow())
+    }
+
     /// Waits until all commands have been executed.
     pub fn finish(&self) {
         // SAFETY: the context is current.
@@ -315,6 +329,7 @@ impl Drop for GlMachine<'_> {
         let gl = self.context.glow();
         self.queries.end_counting(gl);
         self.queries.delete(gl);
+        self.step_times.take(gl);
         self.classic.delete(gl);
         self.framebuffers.delete(gl);
         self.maps.delete(gl);

@@ -34,6 +34,7 @@ mod resources;
 mod runs;
 mod samplers;
 mod scan;
+mod step_times;
 mod storage;
 mod texture;
 mod trap;
@@ -54,6 +55,7 @@ pub use glsl::{shader_file, shaders};
 pub use host::Visit;
 pub use machine::{Counts, GlMachine};
 pub use quirks::{LoopLimit, Quirks};
+pub use step_times::StepTime;
 pub use storage::{Texels, largest_storage};
 pub use volumes::MOST_VOLUMES;
 

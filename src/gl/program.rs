@@ -99,6 +99,11 @@ pub(super) struct ProgramKey {
 }
 
 impl ProgramKey {
+    /// The fragment shader's name.
+    pub(super) fn name(&self) -> &'static str {
+        self.shader.0
+    }
+
     /// `defines` and `more`, which comes last, are for shaders that ask for them; `inverse_w` is the near plane's distance,
     /// as the bits of a float, if depths are 1/w (`common/fragment_depth.glsl`). All that draw surfaces draw slices and mixed
     /// surfaces, too, if there are any: `surfaces` says which.

@@ -65,6 +65,11 @@ impl Programs {
         })
     }
 
+    /// The name of the program that was chosen.
+    pub(super) fn current_name(&self) -> Option<&'static str> {
+        self.current.as_ref().map(ProgramKey::name)
+    }
+
     /// Has the next listing choose its program anew: OpenGL's own current program is another one now.
     pub(super) fn forget_current(&mut self) {
         self.current = None;

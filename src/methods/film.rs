@@ -10,6 +10,7 @@ use super::frame::Frame;
 use super::renderer::{Renderer, orders};
 use super::technique::Technique;
 use crate::error::Result;
+use crate::gl::StepTime;
 use crate::scene::{Camera, Scene};
 
 /// A scene that is rendered from one camera after another, and uploaded once. Only methods that sort triangles upload them
@@ -95,6 +96,19 @@ impl Film<'_, '_> {
     /// # Errors
     /// If the method or the driver fails.
     pub fn time(&mut self, camera: Camera) -> Result<f64> {
+        Ok(self.timed(camera, false)?.0)
+    }
+
+    /// Renders a frame as [`time`](Self::time) does, and waits for OpenGL before and after each step that clears, copies or
+    /// draws. Returns the frame's time in milliseconds, which is longer for that, and those of its steps.
+    ///
+    /// # Errors
+    /// If the method or the driver fails.
+    pub fn time_steps(&mut self, camera: Camera) -> Result<(f64, Vec<StepTime>)> {
+        self.timed(camera, true)
+    }
+
+    fn timed(&mut self, camera: Camera, by_steps: bool) -> Result<(f64, Vec<StepTime>)> {
         let renderer = &mut *self.renderer;
         let _visit = renderer.machine.context().visit()?;
         self.scene.camera = camera;
@@ -109,12 +123,17 @@ impl Film<'_, '_> {
             }
             _ => (renderer.prepare(&shown, self.method, &mut self.held)?, 0.0),
         };
-        let (_, drawing) = renderer.draw(&shown.scene, algorithm.as_mut())?;
+        if by_steps {
+            renderer.machine.time_steps();
+        }
+        let drawn = renderer.draw(&shown.scene, algorithm.as_mut());
+        let steps = renderer.machine.step_times();
+        let (_, drawing) = drawn?;
         renderer
             .machine
             .expect_no_error("while a frame was timed")?;
         self.ready = Some(Ready(algorithm));
-        Ok(sorting + drawing)
+        Ok((sorting + drawing, steps))
     }
 }
 

@@ -5,6 +5,7 @@ use plotters::prelude::*;
 
 use super::Plot;
 use super::canvas::{FAMILY, in_pixels, register_the_font};
+use super::palette::A_BUFFERS;
 
 use crate::error::{Error, Result};
 
@@ -18,22 +19,6 @@ pub struct BarGroup {
 }
 
 const SIZE: (u32, u32) = (1280, 560);
-/// Three hues of four shades. A hue stands for a manager, and its shades for static, ppAO, ppDP, both.
-const COLORS: [RGBColor; 12] = [
-    RGBColor(0xC6, 0xDB, 0xEF),
-    RGBColor(0x6B, 0xAE, 0xD6),
-    RGBColor(0x21, 0x71, 0xB5),
-    RGBColor(0x08, 0x30, 0x6B),
-    RGBColor(0xFD, 0xD0, 0xA2),
-    RGBColor(0xFD, 0x8D, 0x3C),
-    RGBColor(0xD9, 0x48, 0x01),
-    RGBColor(0x7F, 0x27, 0x04),
-    RGBColor(0xC7, 0xE9, 0xC0),
-    RGBColor(0x74, 0xC4, 0x76),
-    RGBColor(0x23, 0x8B, 0x45),
-    RGBColor(0x00, 0x44, 0x1B),
-];
-
 /// The chart as an SVG, and in pixels. A line marks the height 1, to which ratios are relative. `of_what` names the
 /// vertical axis. There are at most twelve names.
 ///
@@ -57,6 +42,10 @@ pub fn bars(
     let mut bytes = vec![0; (SIZE.0 * SIZE.1 * 3) as usize];
     chart.draw(BitMapBackend::with_buffer(&mut bytes, SIZE).into_drawing_area())?;
     Ok([Plot::Svg(text), Plot::Png(in_pixels(SIZE, &bytes))])
+}
+
+fn colors() -> impl Iterator<Item = RGBColor> {
+    A_BUFFERS.into_iter().map(|(_, color)| color)
 }
 
 struct Chart<'a> {
@@ -91,7 +80,7 @@ impl Chart<'_> {
                 .axis_desc_style((FAMILY, 20))
                 .label_style((FAMILY, 18))
                 .draw()?;
-            for (n, color) in (0..self.names.len()).zip(COLORS) {
+            for (n, color) in (0..self.names.len()).zip(colors()) {
                 let bars = self.groups.iter().enumerate().filter_map(|(place, group)| {
                     let x = place as f64 + (n + 1) as f64 * width;
                     let ends = [(x, 0.0), (x + 0.9 * width, *group.heights.get(n)?)];
@@ -106,7 +95,7 @@ impl Chart<'_> {
                 let width = group.name.len() as i32 * 9;
                 left.draw_text(&group.name, &style, (x - width / 2, y + 12))?;
             }
-            for (n, (name, color)) in self.names.iter().zip(COLORS).enumerate() {
+            for (n, (name, color)) in self.names.iter().zip(colors()).enumerate() {
                 let y = 70 + 34 * n as i32;
                 legend.draw(&Rectangle::new([(0, y), (22, y + 18)], color.filled()))?;
                 let style = TextStyle::from((FAMILY, 18).into_font());
@@ -148,7 +137,7 @@ mod tests {
             });
             of_it.count() as f64
         };
-        let ratio = pixels(COLORS[1]) / pixels(COLORS[0]);
+        let ratio = pixels(A_BUFFERS[1].1) / pixels(A_BUFFERS[0].1);
         // A bar of more than a hundred pixels may be a pixel higher or lower.
         assert!((ratio - 2.0).abs() < 0.03, "{ratio}");
     }

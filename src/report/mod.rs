@@ -4,12 +4,15 @@ mod bars;
 mod canvas;
 mod complexity;
 mod convergence;
+mod costs;
 mod histogram;
+mod palette;
 mod series;
 
 pub use bars::{BarGroup, bars};
 pub use complexity::{csv, picture};
 pub use convergence::{Curves, convergence};
+pub use costs::{CostLine, costs};
 pub use histogram::{Plot, PlotKind, plot};
 pub use series::{BINS, Moment, save_series_csv, series, series_csv};
 

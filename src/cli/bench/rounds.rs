@@ -91,15 +91,15 @@ mod tests {
             let seen = &seen;
             Box::new(move |camera| {
                 seen.borrow_mut().push((name, camera.eye));
-                Ok(f64::from(name as u32))
+                Ok(if name == 'a' { 1.0 } else { 2.0 })
             })
         };
         let times = run(&mut [runner('a'), runner('b')], &camera(), PLAN, || {});
         let times: Vec<_> = times.into_iter().map(Result::unwrap).collect();
-        assert_eq!(times, [vec![97.0; 3], vec![98.0; 3]]);
+        assert_eq!(times, [vec![1.0; 3], vec![2.0; 3]]);
         let seen = seen.into_inner();
         let names: String = seen.iter().map(|(name, _)| name).collect();
-        assert_eq!(names, "abbaabbaab");
+        assert_eq!(names, "abbaabbaab", "each round begins with the next one");
         // Both see the same in a round, and something else in the next.
         for round in seen.chunks(2) {
             assert_eq!(round[0].1, round[1].1);

@@ -5,6 +5,7 @@ use serde::ser::{Serialize, SerializeMap, Serializer};
 use serde_json::Value;
 
 use super::statistics::Times;
+use super::steps::Steps;
 
 /// Who draws.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,6 +22,8 @@ pub(super) struct Row {
     pub(super) counts: Counts,
     /// The times, or why there are none.
     pub(super) times: Result<Times, String>,
+    /// The times of its steps, if they are asked for.
+    pub(super) steps: Option<Steps>,
 }
 
 /// Counts of the frame that is seen as the scene's camera sees it. They are the same in every run.
@@ -52,6 +55,27 @@ impl Counts {
                 Method::ABuffer(_) => Some(stats.fragments),
                 _ => verified.map(|counts| counts.list_fragments),
             },
+        }
+    }
+}
+
+impl Row {
+    /// The name of who draws, and how.
+    pub(super) fn name(&self) -> String {
+        match self.by {
+            By::Onionskin => self.method.clone(),
+            By::Vtk => format!("VTK {}", self.method),
+        }
+    }
+
+    /// A row before anything is measured.
+    pub(super) fn begun(by: By, method: &str) -> Self {
+        Self {
+            by,
+            method: method.into(),
+            counts: Counts::default(),
+            times: Err("not measured".into()),
+            steps: None,
         }
     }
 }
@@ -172,6 +196,7 @@ mod tests {
             method: method.into(),
             counts: Counts::default(),
             times: Times::of(times.to_vec()).ok_or("no, \"never\"".into()),
+            steps: None,
         }
     }
 

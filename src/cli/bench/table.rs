@@ -46,7 +46,7 @@ fn columns<'r>(rows: &'r Rows<'_>) -> Vec<Column<'r>> {
         }
     };
     vec![
-        ("method", Box::new(|row| Some(name(row)))),
+        ("method", Box::new(|row| Some(row.name()))),
         (
             "ms",
             Box::new(move |row| time(Times::median)(row).or_else(|| Some("-".into()))),
@@ -86,13 +86,6 @@ fn columns<'r>(rows: &'r Rows<'_>) -> Vec<Column<'r>> {
     ]
 }
 
-fn name(row: &Row) -> String {
-    match row.by {
-        By::Onionskin => row.method.clone(),
-        By::Vtk => format!("VTK {}", row.method),
-    }
-}
-
 /// Three digits, or all before the point.
 fn digits(ratio: f64) -> String {
     match ratio {
@@ -108,6 +101,6 @@ fn mebibytes(bytes: u64) -> String {
 
 /// A line for each who has no times.
 pub(super) fn left_out(rows: &Rows<'_>) -> Vec<String> {
-    let why = |row: &Row| Some(format!("{}: {}", name(row), row.times.as_ref().err()?));
+    let why = |row: &Row| Some(format!("{}: {}", row.name(), row.times.as_ref().err()?));
     rows.rows.iter().filter_map(why).collect()
 }

@@ -1,0 +1,74 @@
+//! One colour for each method, the same in all plots.
+
+use plotters::style::RGBColor;
+
+/// Three hues of four shades for A-buffers. A hue stands for a manager, and its shades for static, ppAO, ppDP, both.
+pub(super) const A_BUFFERS: [(&str, RGBColor); 12] = [
+    ("ffb", RGBColor(0xC6, 0xDB, 0xEF)),
+    ("ffb+ppao", RGBColor(0x6B, 0xAE, 0xD6)),
+    ("ffb+ppdp", RGBColor(0x21, 0x71, 0xB5)),
+    ("ffb+ppao+ppdp", RGBColor(0x08, 0x30, 0x6B)),
+    ("dfb", RGBColor(0xFD, 0xD0, 0xA2)),
+    ("dfb+ppao", RGBColor(0xFD, 0x8D, 0x3C)),
+    ("dfb+ppdp", RGBColor(0xD9, 0x48, 0x01)),
+    ("dfb+ppao+ppdp", RGBColor(0x7F, 0x27, 0x04)),
+    ("ppll", RGBColor(0xC7, 0xE9, 0xC0)),
+    ("ppll+ppao", RGBColor(0x74, 0xC4, 0x76)),
+    ("ppll+ppdp", RGBColor(0x23, 0x8B, 0x45)),
+    ("ppll+ppao+ppdp", RGBColor(0x00, 0x44, 0x1B)),
+];
+
+const OTHERS: [(&str, RGBColor); 15] = [
+    ("blend", RGBColor(0x00, 0x00, 0x00)),
+    ("painter", RGBColor(0x80, 0x80, 0x80)),
+    ("auto", RGBColor(0xE7, 0x29, 0x8A)),
+    ("verified-painter", RGBColor(0x6A, 0x3D, 0x9A)),
+    ("weighted-blended", RGBColor(0xB2, 0xAB, 0xD2)),
+    ("multi-layer-alpha-blending", RGBColor(0xCA, 0xB2, 0xD6)),
+    ("depth-peeling", RGBColor(0xCB, 0x18, 0x1D)),
+    ("dual-depth-peeling", RGBColor(0xFB, 0x6A, 0x4A)),
+    ("coplanar-depth-peeling", RGBColor(0xFC, 0xAE, 0x91)),
+    ("layer-peeling", RGBColor(0x54, 0x30, 0x05)),
+    ("hybrid-layer-peeling", RGBColor(0xC9, 0x9A, 0x2E)),
+    ("coherent-layer-peeling-a", RGBColor(0x8C, 0x51, 0x0A)),
+    ("coherent-layer-peeling-b", RGBColor(0xBF, 0x81, 0x2D)),
+    ("ideal-coherent-layer-peeling", RGBColor(0xDF, 0xC2, 0x7D)),
+    ("exact", RGBColor(0x25, 0x25, 0x25)),
+];
+
+/// For methods that are not in the registry.
+const UNKNOWN: RGBColor = RGBColor(0x52, 0x52, 0x52);
+
+/// For VTK's modes, whose lines are broken.
+const VTK: [(&str, RGBColor); 3] = [
+    ("VTK alpha", RGBColor(0x01, 0x66, 0x5E)),
+    ("VTK peel", RGBColor(0x35, 0x97, 0x8F)),
+    ("VTK dual", RGBColor(0x5A, 0xB4, 0xAC)),
+];
+
+/// The colour of a method, or of a mode of VTK.
+pub(super) fn of(name: &str) -> RGBColor {
+    let mut known = A_BUFFERS.iter().chain(&OTHERS).chain(&VTK);
+    let found = known.find(|(known, _)| *known == name);
+    found.map_or(UNKNOWN, |(_, color)| *color)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use super::*;
+    use crate::methods::registry;
+
+    #[test]
+    fn every_method_has_a_colour_of_its_own() {
+        let colors: BTreeSet<_> = registry()
+            .iter()
+            .map(|row| of(row.name))
+            .map(|RGBColor(r, g, b)| (r, g, b))
+            .collect();
+        assert_eq!(colors.len(), registry().len());
+        let RGBColor(r, g, b) = of("other");
+        assert!(!colors.contains(&(r, g, b)), "a method is missing");
+    }
+}
