@@ -1,10 +1,10 @@
 //! Culling of what is finished (Carr et al. 2008, section 9: "exploitation of z-culling in the context of coherent layer
 //! peeling is still an area of future work"). A triangle that lies before `D(sc)` in all of its pixels has been
-//! composited, and need not be drawn again.
+//! composited, and need not be drawn again. In depth peeling, the last layer's depth is the bound.
 //!
-//! `D(sc)` is read back after every iteration. A GPU would keep it in a hierarchical depth buffer.
+//! The bound is read back after every iteration. A GPU would keep it in a hierarchical depth buffer.
 
-use glam::DMat4;
+use glam::{DMat4, DVec3, DVec4};
 
 use super::batches::{SLACK, depth_range};
 use crate::scene::Scene;
@@ -20,7 +20,7 @@ pub(super) struct Extents {
     triangles: Vec<([u32; 2], Option<Extent>)>,
 }
 
-/// The first and the last column and row of tiles, and the farthest window depth.
+/// The first and the last column and row of tiles, and the farthest window depth that a rasteriser may give it.
 struct Extent {
     columns: [usize; 2],
     rows: [usize; 2],
@@ -45,6 +45,14 @@ impl Extents {
             down,
             triangles: order.iter().map(extent).collect(),
         }
+    }
+
+    /// Every triangle in its order.
+    pub(super) fn all(&self) -> Vec<[u32; 2]> {
+        self.triangles
+            .iter()
+            .map(|(triangle, _)| *triangle)
+            .collect()
     }
 
     /// The triangles that are not finished. `bound` is every pixel's `D(sc)`, and `opaque` its opaque depth, row by row
@@ -90,5 +98,23 @@ fn extent(view_projection: DMat4, corners: [crate::scene::Vertex; 3], size: [u32
         };
         range.map(|place| place.clamp(0.0, last) as usize / TILE)
     });
+    let far = far + beyond(clip, size);
     Extent { columns, rows, far }
+}
+
+/// By how much a fragment may lie behind the farthest corner of a triangle before the eye. A corner is moved by up to half
+/// of 1/256 pixel along each axis, and the plane goes on over the moved edge. And its slopes are quotients of differences of
+/// products in f32, which in a sliver are far larger than their differences.
+fn beyond(clip: [DVec4; 3], [width, height]: [u32; 2]) -> f64 {
+    let size = DVec3::new(f64::from(width), f64::from(height), 1.0);
+    let window = clip.map(|corner| corner.truncate() / corner.w * size / 2.0);
+    let [along, across] = [window[1] - window[0], window[2] - window[0]];
+    let normal = along.cross(across);
+    let box_of = window[0].max(window[1]).max(window[2]) - window[0].min(window[1]).min(window[2]);
+    let moved = (normal.x.abs() + normal.y.abs()) / 512.0;
+    // Two products for each slope, two for the area, of three roundings each.
+    let rounded = 18.0 * 2.0_f64.powi(-24) * box_of.x * box_of.y * box_of.z;
+    let beyond = (moved + rounded) / normal.z.abs();
+    // A triangle that is seen edge on has no area, and is not worth a thought.
+    if beyond.is_finite() { beyond } else { 1.0 }
 }
