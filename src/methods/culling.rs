@@ -6,8 +6,11 @@
 
 use glam::{DMat4, DVec3, DVec4};
 
-use super::batches::{SLACK, depth_range};
 use crate::scene::Scene;
+
+/// The largest distance of a rasterised depth from the exact one: several times f32's rounding. A triangle too many
+/// costs a little, but one too few would be missing.
+pub(super) const SLACK: f64 = 1e-5;
 
 /// The side of a tile of pixels that are finished or not together.
 const TILE: usize = 8;
@@ -117,4 +120,43 @@ fn beyond(clip: [DVec4; 3], [width, height]: [u32; 2]) -> f64 {
     let beyond = (moved + rounded) / normal.z.abs();
     // A triangle that is seen edge on has no area, and is not worth a thought.
     if beyond.is_finite() { beyond } else { 1.0 }
+}
+
+/// The window depths between which a triangle lies, or the whole range if it reaches behind the eye.
+pub(super) fn depth_range(view_projection: DMat4, corners: [crate::scene::Vertex; 3]) -> [f64; 2] {
+    let mut range = [f64::INFINITY, f64::NEG_INFINITY];
+    for corner in corners {
+        let clip = view_projection * corner.position.extend(1.0);
+        if clip.w <= 0.0 {
+            return [0.0, 1.0];
+        }
+        let depth = clip.z / clip.w * 0.5 + 0.5;
+        range = [range[0].min(depth), range[1].max(depth)];
+    }
+    range
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_fragment_may_lie_behind_the_farthest_corner_by_the_slope_over_half_a_step() {
+        // In a window of 20 x 20 pixels: 10 pixels along x and along y, and 0.1 deep along x.
+        let corner = |x: f64, y: f64, z: f64| DVec4::new(x / 10.0, y / 10.0, 2.0 * z, 1.0);
+        let of = |[a, b, c]: [DVec4; 3]| beyond([a, b, c], [20, 20]);
+        let beyond = of([
+            corner(0.0, 0.0, 0.0),
+            corner(10.0, 0.0, 0.1),
+            corner(0.0, 10.0, 0.0),
+        ]);
+        let rounded = 18.0 * 2.0_f64.powi(-24) * 0.1;
+        assert!(
+            (beyond - (0.01 / 512.0 + rounded)).abs() < 1e-12,
+            "{beyond}"
+        );
+        // Edge on.
+        let edge = [0.0, 1.0, 2.0].map(|part| corner(part, part, part * part / 10.0));
+        assert_eq!(of(edge), 1.0);
+    }
 }

@@ -18,6 +18,7 @@ use super::entry::{Entry, Memory, Ties, Volumes};
 use super::expect_known::expect_known;
 use super::iteration_bound::iteration_bound;
 use super::requirements;
+use super::sorting::TriangleSort;
 use super::stats::Peeling;
 use super::technique::{Published, Technique};
 use crate::error::{Error, Result};
@@ -100,7 +101,7 @@ struct DepthPeeling {
 impl Algorithm for DepthPeeling {
     fn order(&mut self, scene: &Scene) -> DrawOrder {
         match self.options.cull {
-            true => DrawOrder::Sorted(culled::submission(scene)),
+            true => DrawOrder::Sorted(TriangleSort::Submission.order(scene)),
             false => DrawOrder::Submission,
         }
     }

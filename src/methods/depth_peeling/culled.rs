@@ -1,6 +1,7 @@
 //! Depth peeling that draws only the triangles that may have something left to peel.
 
 use super::super::culling::Extents;
+use super::super::sorting::TriangleSort;
 use crate::error::Result;
 use crate::gl::GlMachine;
 use crate::papers::stage::OPAQUE_DEPTH;
@@ -19,18 +20,14 @@ pub(super) struct Culled<'m, 'c> {
     peels: usize,
 }
 
-/// Every triangle of the scene, in the order of submission.
-pub(super) fn submission(scene: &Scene) -> Vec<[u32; 2]> {
-    let meshes = (0..).zip(&scene.meshes);
-    let triangles =
-        meshes.flat_map(|(mesh, of)| (0..of.triangles.len() as u32).map(move |n| [mesh, n]));
-    triangles.collect()
-}
-
 impl<'m, 'c> Culled<'m, 'c> {
     /// Nothing is peeled yet. The scene was uploaded in the order of submission.
     pub(super) fn new(machine: &'m mut GlMachine<'c>, scene: &'m Scene) -> Self {
-        let extents = Extents::new(scene, machine.size(), &submission(scene));
+        let extents = Extents::new(
+            scene,
+            machine.size(),
+            &TriangleSort::Submission.order(scene),
+        );
         Self {
             machine,
             scene,
