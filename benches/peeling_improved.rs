@@ -8,7 +8,14 @@ use onionskin::{Context, Method, Renderer, Result, Scene};
 
 const ROUNDS: usize = 5;
 const SIZE: [u32; 2] = [1024, 768];
-const IMPROVEMENTS: [&str; 4] = ["", "late-query", "alive", "late-query,alive"];
+const IMPROVEMENTS: [&str; 6] = [
+    "",
+    "late-query",
+    "alive",
+    "late-query,alive",
+    "cull",
+    "alive,cull",
+];
 const BUNDLED: [&str; 6] = ["teapot", "knots", "soup", "slices", "quads", "molecule"];
 
 fn main() -> Result<()> {
@@ -24,7 +31,7 @@ fn main() -> Result<()> {
     let context = Context::headless()?;
     println!("on {}", context.driver().renderer);
     println!(
-        "scene            layers | ms | wall clock: late  alive  both | processor: late  alive  both"
+        "scene            layers |       ms | late  alive  both  cull  alive+cull, by the clock and by the processor"
     );
     for path in paths {
         let scene = Scene::load_at(&path, Some(SIZE))?;
@@ -48,21 +55,14 @@ fn main() -> Result<()> {
                 }
             }
         }
-        let [plain, late, alive, both] = wall.map(median);
-        print!(
-            "{:<16} {layers:6} | {plain:8.1} | {:5.2} {:5.2} {:5.2}",
-            scene.name,
-            late / plain,
-            alive / plain,
-            both / plain
-        );
-        let [plain, late, alive, both] = processor.map(median);
-        println!(
-            " | {:5.2} {:5.2} {:5.2}",
-            late / plain,
-            alive / plain,
-            both / plain
-        );
+        let [wall, processor] = [wall, processor].map(|times| times.map(median));
+        print!("{:<16} {layers:6} | {:8.1}", scene.name, wall[0]);
+        for times in [wall, processor] {
+            let ratios = times[1..].iter().map(|time| time / times[0]);
+            let ratios: Vec<_> = ratios.map(|ratio| format!("{ratio:5.2}")).collect();
+            print!(" | {}", ratios.join(" "));
+        }
+        println!();
     }
     Ok(())
 }

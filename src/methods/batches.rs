@@ -1,8 +1,7 @@
 //! Depth batches (Wexler et al. 2005, as Carr et al. 2008 propose in section 9): the view's depth range in pieces, each
 //! with the triangles that reach into it.
 
-use glam::DMat4;
-
+use super::culling::{SLACK, depth_range};
 use crate::error::Result;
 use crate::papers::carr_2008::coherent::{BATCH_END, NEXT_BOUND};
 use crate::papers::carr_2008::{BOUND, D_SC};
@@ -18,10 +17,6 @@ pub(super) struct Batch {
     /// The window depth at which it ends, excluded. It is 1 for the last batch.
     pub(super) end: f32,
 }
-
-/// The largest distance of a rasterised depth from the exact one: several times f32's rounding. A triangle too many
-/// costs a little, but one too few would be missing.
-pub(super) const SLACK: f64 = 1e-5;
 
 /// Cuts the depth range into at most `count` batches of about equally many transparent triangles, by the middle of each
 /// triangle's depth range. With the batches come the triangles that reach into each, as mesh and number, in their order.
@@ -65,20 +60,6 @@ pub(super) fn batches(
     };
     let orders = batches.iter().map(inside).collect();
     (batches, orders)
-}
-
-/// The window depths between which a triangle lies, or the whole range if it reaches behind the eye.
-pub(super) fn depth_range(view_projection: DMat4, corners: [crate::scene::Vertex; 3]) -> [f64; 2] {
-    let mut range = [f64::INFINITY, f64::NEG_INFINITY];
-    for corner in corners {
-        let clip = view_projection * corner.position.extend(1.0);
-        if clip.w <= 0.0 {
-            return [0.0, 1.0];
-        }
-        let depth = clip.z / clip.w * 0.5 + 0.5;
-        range = [range[0].min(depth), range[1].max(depth)];
-    }
-    range
 }
 
 /// Sets `D(sc)` to a batch's beginning, which belongs to it, and [`BATCH_END`] to its end, which does not. Window depths.

@@ -153,7 +153,7 @@ pub(super) const IMPROVE: Choice = Choice {
     name: "improve",
     takes: Takes::Value("LIST"),
     help: "Improvements that the paper only points at, or that are this edition's own, separated by commas. Depth peeling has \
-           late-query and alive; coherent layer peeling A and B have tie-friendly, early-stop, cull and batches=N; the ideal \
+           late-query, alive and cull; coherent layer peeling A and B have tie-friendly, early-stop, cull and batches=N; the ideal \
            GPU has tight-bound",
 };
 

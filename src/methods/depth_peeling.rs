@@ -8,7 +8,9 @@
 //!
 //! Excludes: multisampling; depths at or beyond the far plane, which GL clips.
 
-use super::algorithm::{Algorithm, Composited, Drawn, Setup};
+mod culled;
+
+use super::algorithm::{Algorithm, Composited, DrawOrder, Drawn, Setup};
 use super::allocate_maps::allocate_maps;
 use super::choice::{self, Choice, IMPROVE, LITERAL, Setter, Takes, one_of_both, read};
 use super::depth_unit_0::DepthUnit0;
@@ -16,6 +18,7 @@ use super::entry::{Entry, Memory, Ties, Volumes};
 use super::expect_known::expect_known;
 use super::iteration_bound::iteration_bound;
 use super::requirements;
+use super::sorting::TriangleSort;
 use super::stats::Peeling;
 use super::technique::{Published, Technique};
 use crate::error::{Error, Result};
@@ -25,9 +28,12 @@ use crate::papers::{stage, vtk};
 use crate::scene::Scene;
 use crate::steps;
 use crate::steps::{
-    Amendment, Call, Dialect, Listing, Machine, Outcome, Reading, Reason, Variables, gl::*, run,
+    Amendment, Call, DepthUnits, Dialect, Listing, Machine, Outcome, Reading, Reason, Variables,
+    gl::*, run,
 };
 use crate::words::{Words, words};
+
+use culled::Culled;
 
 /// The way in which layers become an image.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -59,6 +65,9 @@ pub struct DepthPeelingOptions {
     /// An improvement: a pixel whose last peel was empty is peeled no more ([`vtk::ALIVE`]). It composites on the fly, and
     /// needs depths that are floats.
     pub alive: bool,
+    /// An improvement: from the second peel on, triangles that lie before the last layer wherever they are seen, or where
+    /// nothing is left to peel, are culled.
+    pub cull: bool,
     /// How Listing 1 and the blending function are read. Without amendments all objects, opaque or not, are peeled in
     /// `maximum_number_of_peels` passes, which must be at least one.
     pub reading: Reading,
@@ -90,6 +99,13 @@ struct DepthPeeling {
 }
 
 impl Algorithm for DepthPeeling {
+    fn order(&mut self, scene: &Scene) -> DrawOrder {
+        match self.options.cull {
+            true => DrawOrder::Sorted(TriangleSort::Submission.order(scene)),
+            false => DrawOrder::Submission,
+        }
+    }
+
     fn prepare(&mut self, machine: &mut GlMachine<'_>, _: &Scene) -> Result<()> {
         self.options.check()?;
         requirements::check(machine.context().driver(), self.color)?;
@@ -130,14 +146,7 @@ impl Algorithm for DepthPeeling {
             .variables()
             .with("occlusion_ratio", self.options.occlusion_ratio)
             .with("window_area", f64::from(width) * f64::from(height));
-        let listing = self.listing();
-        let outcome = self.options.depth_unit_0.run(
-            machine,
-            self.options.reading,
-            listing,
-            &self.amendments(),
-            variables,
-        )?;
+        let outcome = self.run(machine, scene, variables)?;
         let mut drawn = drawn(&outcome);
         drawn.keeps_layers = self.options.keeps_layers();
         if self.may_get_stuck() && outcome.stopped != Some(Reason::EmptyLayer) {
@@ -171,6 +180,25 @@ impl DepthPeeling {
             amendments.extend(vtk::ALIVE);
         }
         amendments
+    }
+
+    fn run(
+        &self,
+        machine: &mut GlMachine<'_>,
+        scene: &Scene,
+        variables: Variables,
+    ) -> Result<Outcome> {
+        let (listing, amendments) = (self.listing(), self.amendments());
+        if !self.options.cull {
+            let reading = self.options.reading;
+            let unit_0 = self.options.depth_unit_0;
+            return unit_0.run(machine, reading, listing, &amendments, variables);
+        }
+        let mut culled = Culled::new(machine, scene);
+        let units = &mut DepthUnits::new(&mut culled);
+        let outcome = run(listing, &amendments, variables, units)?;
+        culled.finish()?;
+        Ok(outcome)
     }
 
     /// Not as printed.
@@ -307,9 +335,16 @@ impl Technique for DepthPeelingOptions {
                 "leave it out, or let the listing be amended",
             ));
         }
-        let improved = self.late_query || self.alive;
-        one_of_both(self.reading, improved)?;
-        if improved && self.compositing == Compositing::KeepLayers {
+        let on_the_fly = self.late_query || self.alive;
+        one_of_both(self.reading, on_the_fly || self.cull)?;
+        if self.cull && self.depth_unit_0 != DepthUnit0::default() {
+            return Err(Error::option(
+                "improve",
+                "culling holds triangles against the depths that a sampler compares",
+                "leave cull out, or let depth unit 0 be a sampler",
+            ));
+        }
+        if on_the_fly && self.compositing == Compositing::KeepLayers {
             return Err(Error::option(
                 "improve",
                 "late-query and alive are improvements of compositing on the fly, which keeps no layers",
@@ -327,6 +362,9 @@ impl Technique for DepthPeelingOptions {
     }
 
     fn needs_window_depth(&self) -> Option<&'static str> {
+        if self.cull {
+            return Some("culling compares triangles with window-space depth");
+        }
         (self.depth_unit_0 != DepthUnit0::default())
             .then_some("this way of comparing with depth unit 0 asks for window-space depth")
     }
@@ -368,11 +406,12 @@ fn improve(options: &mut DepthPeelingOptions, improvement: &str) -> Result<()> {
     match improvement {
         "late-query" => options.late_query = true,
         "alive" => options.alive = true,
+        "cull" => options.cull = true,
         _ => {
             return Err(Error::unknown(
                 "improvement",
                 improvement,
-                &["late-query", "alive"],
+                &["late-query", "alive", "cull"],
             ));
         }
     }

@@ -1,5 +1,5 @@
-//! The improvements of depth peeling: a query that is read a peel late, and peels of the pixels alone that are alive. The
-//! image is the same to the last bit, and what they cost and spare is counted.
+//! The improvements of depth peeling: a query that is read a peel late, peels of the pixels alone that are alive, and peels
+//! without the triangles that are finished. The image is the same to the last bit, and what they cost and spare is counted.
 
 use crate::kit::bounds::F32;
 use crate::kit::changed::changed;
@@ -8,6 +8,7 @@ use crate::kit::peels::IMAGE;
 use crate::kit::render::example;
 use crate::kit::stack::{self, LEVELS, Piece, Stack, runner, stacks};
 use crate::kit::vtk_scenes::{nearest, over, peel, render, soup_scene, staircase};
+use onionskin::generate::{Quads, Soup, SubmissionOrder, quads, soup};
 use onionskin::low_level::emulator::Emulator;
 use onionskin::low_level::gl::{Geometry, GlMachine};
 use onionskin::low_level::methods::allocate_maps;
@@ -16,7 +17,7 @@ use onionskin::low_level::steps::{
     Amendment, DepthUnits, Map, Outcome, Reason, Shader, Variables, gl::*, run,
 };
 use onionskin::options::{Compositing, DepthPeelingOptions, Reading};
-use onionskin::{Comparison, Context, Format, Method, Renderer, Scene, steps};
+use onionskin::{Camera, Comparison, Context, Format, Method, Renderer, Scene, steps};
 use proptest::test_runner::TestCaseError;
 
 const PLAIN: DepthPeelingOptions = DepthPeelingOptions {
@@ -25,6 +26,7 @@ const PLAIN: DepthPeelingOptions = DepthPeelingOptions {
     compositing: Compositing::OnTheFly,
     late_query: false,
     alive: false,
+    cull: false,
     reading: Reading::Amended,
     depth_unit_0: onionskin::options::DepthUnit0::Sampler,
     amendments: &[],
@@ -41,7 +43,12 @@ const BOTH: DepthPeelingOptions = DepthPeelingOptions {
     late_query: true,
     ..ALIVE
 };
-const IMPROVED: [DepthPeelingOptions; 3] = [LATE, ALIVE, BOTH];
+const CULL: DepthPeelingOptions = DepthPeelingOptions {
+    cull: true,
+    ..PLAIN
+};
+const ALL: DepthPeelingOptions = DepthPeelingOptions { cull: true, ..BOTH };
+const IMPROVED: [DepthPeelingOptions; 5] = [LATE, ALIVE, BOTH, CULL, ALL];
 
 /// The staircase with and without something opaque, a soup, and a scene of meshes before an opaque plane.
 fn scenes() -> Vec<Scene> {
@@ -103,6 +110,84 @@ fn only_pixels_that_are_alive_are_peeled_and_no_bit_changes() {
         let rows: Vec<f32> = next.unwrap().chunks(3).rev().flatten().copied().collect();
         let expected = layers.map(|layers| if layers >= peels { 1.0 } else { 0.0 });
         assert_eq!(rows, expected, "{peels} peels");
+    }
+}
+
+#[test]
+fn culling_spares_the_triangles_that_are_finished_and_changes_no_bit() {
+    let context = Context::headless().unwrap();
+    println!("scene      layers  triangles    culled  alive, culled");
+    let bundled = ["teapot", "knots", "molecule"].map(|name| example(name, [120, 90]));
+    // Small triangles in every direction, many of them nearly edge on.
+    let splinters = (0..8).map(|seed| {
+        let splinters = Soup {
+            triangle_size: [0.02, 0.6],
+            seed,
+            count: 2000,
+            ..Soup::default()
+        };
+        let mut scene = Scene::of("splinters", vec![soup(&splinters).unwrap()]);
+        scene.size = [160, 120];
+        scene
+    });
+    for scene in bundled.into_iter().chain(splinters) {
+        let plain = render(&context, &scene, PLAIN);
+        let alive = DepthPeelingOptions {
+            cull: true,
+            ..ALIVE
+        };
+        let kept = DepthPeelingOptions {
+            compositing: Compositing::KeepLayers,
+            ..CULL
+        };
+        let [culled, alive, kept] =
+            [CULL, alive, kept].map(|options| render(&context, &scene, options));
+        println!(
+            "{:10} {:6}  {:9} {:9} {:9}",
+            scene.name,
+            plain.stats.layers.unwrap(),
+            plain.stats.triangles,
+            culled.stats.triangles,
+            alive.stats.triangles
+        );
+        assert!(culled.image == plain.image && alive.image == plain.image);
+        let counts = |stats: &onionskin::Stats| (stats.layers, stats.fragments, stats.lost);
+        for frame in [&culled, &alive, &kept] {
+            assert_eq!(counts(&frame.stats), counts(&plain.stats), "{}", scene.name);
+            assert!(frame.stats.triangles * 4 < plain.stats.triangles * 3);
+        }
+        assert_eq!(kept.layers.len(), plain.stats.layers.unwrap() as usize);
+    }
+}
+
+/// A peel draws the sheets that the peels before have not found, and the last one that they have, which is not before
+/// itself.
+#[test]
+fn of_sheets_one_behind_the_other_each_peel_draws_one_less() {
+    let context = Context::headless().unwrap();
+    for sheets in [1, 2, 7, 20_u32] {
+        let parameters = Quads {
+            count: sheets,
+            size: [4.0, 3.0],
+            spacing: 1.0 / sheets as f32,
+            alpha: 0.1,
+            order: SubmissionOrder::Shuffled,
+            seed: 3,
+            ..Quads::default()
+        };
+        let mut scene = Scene::of("sheets", vec![quads(&parameters).unwrap()]);
+        scene.size = [16, 12];
+        scene.camera = Camera::looking(glam::DVec3::Z * 4.0, glam::DVec3::ZERO);
+        let sheets = u64::from(sheets);
+        for options in [CULL, ALL] {
+            let stats = render(&context, &scene, options).stats;
+            // The late query's peel behind the empty one has nothing alive.
+            let found: u64 = (1..=sheets).sum();
+            assert_eq!(stats.triangles, 2 * (sheets + found), "{options:?}");
+            assert_eq!(stats.geometry_passes, sheets + 1, "{options:?}");
+        }
+        let plain = render(&context, &scene, PLAIN).stats;
+        assert_eq!(plain.triangles, 2 * sheets * (sheets + 1));
     }
 }
 
@@ -354,7 +439,7 @@ fn what_does_not_go_together_is_refused_with_a_remedy() {
     let renderer = || Renderer::new(&context, 3, 2).unwrap();
     let fixed = renderer().with_formats(Format::Rgba32F, Format::Depth24Stencil8);
     assert!(error(fixed, ALIVE).contains("choose a depth format with floats"));
-    for options in IMPROVED {
+    for options in [LATE, ALIVE, BOTH] {
         let kept = DepthPeelingOptions {
             compositing: Compositing::KeepLayers,
             ..options
@@ -367,11 +452,18 @@ fn what_does_not_go_together_is_refused_with_a_remedy() {
         };
         assert!(error(renderer(), printed).contains("the paper without amendments"));
     }
+    let classic = DepthPeelingOptions {
+        depth_unit_0: onionskin::options::DepthUnit0::Classic,
+        ..CULL
+    };
+    assert!(error(renderer(), classic).contains("let depth unit 0 be a sampler"));
+    let by_inverse_w = renderer().with_inverse_w();
+    assert!(error(by_inverse_w, CULL).contains("window-space depth"));
     let mut method = Method::DepthPeeling(PLAIN);
     let error = method.choose("improve", "late-qeury").unwrap_err();
     assert!(error.to_string().contains("late-query"), "{error}");
-    method.choose("improve", "late-query,alive").unwrap();
-    assert_eq!(method, Method::DepthPeeling(BOTH));
+    method.choose("improve", "late-query,alive,cull").unwrap();
+    assert_eq!(method, Method::DepthPeeling(ALL));
 }
 
 const D32F: Format = Format::Depth32FStencil8;
