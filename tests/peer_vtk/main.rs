@@ -27,16 +27,10 @@ use onionskin::{Context, Image, Method, Renderer, Scene};
 
 const SIZE: [u32; 2] = [512, 384];
 
-const PEELING: Method = Method::DepthPeeling(DepthPeelingOptions {
-    maximum_number_of_peels: 0,
-    occlusion_ratio: 0.0,
-    compositing: onionskin::options::Compositing::OnTheFly,
-    reading: onionskin::options::Reading::Amended,
-    depth_unit_0: onionskin::options::DepthUnit0::Sampler,
-    amendments: &[],
-    late_query: false,
-    alive: false,
-});
+/// Every layer, on the fly, as amended.
+fn peeling() -> Method {
+    Method::DepthPeeling(DepthPeelingOptions::default())
+}
 
 /// In steps of 8 bits.
 const RMS: f64 = 1.0;
@@ -74,7 +68,7 @@ fn the_molecule_blended_in_the_order_of_submission_would_be_noticed() {
 #[track_caller]
 fn agrees(scene: &str, mode: &str) {
     let Some(vtk) = vtk(scene, mode) else { return };
-    let (whole, covered) = compare(scene, mode, &ours(scene, &PEELING), &vtk);
+    let (whole, covered) = compare(scene, mode, &ours(scene, &peeling()), &vtk);
     assert!(
         covered.pixels > 10_000,
         "there must be something in the picture"
