@@ -66,7 +66,7 @@ pub struct DepthPeelingOptions {
     /// needs depths that are floats.
     pub alive: bool,
     /// An improvement: from the second peel on, triangles that lie before the last layer wherever they are seen, or where
-    /// nothing is left to peel, are culled.
+    /// nothing is left to peel, are culled, and layers are composited in the rectangle of the last layer's pixels.
     pub cull: bool,
     /// How Listing 1 and the blending function are read. Without amendments all objects, opaque or not, are peeled in
     /// `maximum_number_of_peels` passes, which must be at least one.
