@@ -6,7 +6,7 @@
 //! | slices or other sorted meshes, and transparent meshes that are not | `dfb+ppdp` | what crosses many slices has no order, so most pixels need lists anyway |
 //! | other surfaces | `verified-painter` | its one pass of blending is the whole image where the order is proved |
 //!
-//! Colours in lists have 32 bits. `benches/verified_painter.rs` measures the choice. Of the methods that are exact in every
+//! Colours in lists have 32 bits. `onionskin bench` measures the choice. Of the methods that are exact in every
 //! pixel, with the order of submission between equal depths, it was the quickest of those measured on the bundled scenes of
 //! surfaces. `dfb` alone is a little quicker on the molecule, as long as no pixel has more than 64 fragments; hybrid layer
 //! peeling is quicker on slices, but puts what is not sorted before what is.

@@ -162,3 +162,53 @@ fn look(
     *held = Some(order);
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gl::Context;
+    use crate::methods::Method;
+    use crate::papers::stage;
+    use crate::scene::generate::{Soup, soup};
+
+    /// Both images of a method's frame from one place, the eye having been elsewhere before: timed, and rendered.
+    fn timed_and_rendered(context: &Context, method: &str) -> [Vec<[f32; 4]>; 2] {
+        let mut scene = Scene::of("soup", vec![soup(&Soup::default()).unwrap()]);
+        scene.size = [64, 48];
+        let front = scene.camera;
+        let behind = Camera {
+            eye: 2.0 * front.target - front.eye,
+            ..front
+        };
+        let method: Method = method.parse().unwrap();
+        let mut renderer = Renderer::new(context, 64, 48).unwrap();
+        let colors = |film: &Film<'_, '_>| {
+            let machine = &film.renderer.machine;
+            machine.read_colors(stage::IMAGE_COLOR).unwrap()
+        };
+        let mut film = renderer.film(scene, &method);
+        film.time(front).unwrap();
+        assert!(film.time(behind).unwrap() > 0.0);
+        let timed = colors(&film);
+        film.time(front).unwrap();
+        assert_ne!(timed, colors(&film), "{method} shows both sides alike");
+        film.frame(behind).unwrap();
+        [timed, colors(&film)]
+    }
+
+    #[test]
+    fn a_frame_that_is_timed_is_the_frame_of_its_view() {
+        let context = Context::headless().unwrap();
+        for method in [
+            "blend",
+            "painter",
+            "verified-painter",
+            "auto",
+            "dfb",
+            "coherent-layer-peeling-a",
+        ] {
+            let [timed, rendered] = timed_and_rendered(&context, method);
+            assert!(timed == rendered, "{method}");
+        }
+    }
+}

@@ -16,6 +16,8 @@ use crate::cli::setup::Rendering;
 
 const WARM_UP: u32 = 2;
 /// In milliseconds.
+const WARM_AFTER: f64 = 1000.0;
+/// In milliseconds.
 const BUDGET: f64 = 5000.0;
 
 /// What is measured, and how.
@@ -41,6 +43,7 @@ pub(super) fn measure(task: &Task<'_>, scene: &Scene, vtk: Option<Vtk>) -> Resul
     rendering.check_methods(scene, methods.len())?;
     let plan = Plan {
         warm_up: WARM_UP,
+        warm_after: WARM_AFTER,
         rounds: frames,
         budget: BUDGET,
     };
@@ -57,6 +60,7 @@ pub(super) fn measure(task: &Task<'_>, scene: &Scene, vtk: Option<Vtk>) -> Resul
     }
     let mut rows = Vec::new();
     let mut films = Vec::new();
+    let mut warmed = Vec::new();
     for (method, renderer) in methods.iter().zip(&mut renderers) {
         progress.next(&format!("{}: {method}", scene.name));
         let mut row = Row::begun(By::Onionskin, method.name());
@@ -65,6 +69,7 @@ pub(super) fn measure(task: &Task<'_>, scene: &Scene, vtk: Option<Vtk>) -> Resul
         match film.frame(scene.camera) {
             Ok(frame) => {
                 row.counts = Counts::of(method, &frame.stats);
+                warmed.push(frame.stats.ms);
                 films.push((rows.len(), RefCell::new(film)));
             }
             Err(error) => row.times = Err(why(&error)),
@@ -84,6 +89,7 @@ pub(super) fn measure(task: &Task<'_>, scene: &Scene, vtk: Option<Vtk>) -> Resul
     if let Some(vtk) = &vtk {
         for (mode, passes) in MODES.into_iter().zip(&passes) {
             running.push(rows.len());
+            warmed.push(0.0);
             rows.push(Row::begun(By::Vtk, mode));
             runners.push(Box::new(move |camera| {
                 let frame = vtk.borrow_mut().frame(mode, &camera, None)?;
@@ -92,7 +98,9 @@ pub(super) fn measure(task: &Task<'_>, scene: &Scene, vtk: Option<Vtk>) -> Resul
             }));
         }
     }
-    let times = rounds::run(&mut runners, &scene.camera, plan, || progress.part_done());
+    let times = rounds::run(&mut runners, &scene.camera, plan, &warmed, || {
+        progress.part_done()
+    });
     drop(runners);
     for (number, times) in running.into_iter().zip(times) {
         rows[number].times = match times {
@@ -129,7 +137,7 @@ fn frames_by_steps(
         Ok(ms)
     })];
     let plan = Plan { warm_up: 0, ..plan };
-    let answer = rounds::run(&mut runner, &scene.camera, plan, || {}).pop();
+    let answer = rounds::run(&mut runner, &scene.camera, plan, &[0.0], || {}).pop();
     drop(runner);
     answer.transpose()?;
     Ok(frames)

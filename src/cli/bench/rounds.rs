@@ -13,6 +13,8 @@ pub(super) struct Plan {
     /// The rounds before any time counts. Drivers optimise a shader when it is first used, and pages of memory are given
     /// when they are first written.
     pub(super) warm_up: u32,
+    /// After so many milliseconds of its own, a runner is warm.
+    pub(super) warm_after: f64,
     /// The rounds that count.
     pub(super) rounds: u32,
     /// After so many milliseconds of its own, a runner takes no part in further rounds. It has had one that counts.
@@ -28,19 +30,22 @@ const ORBIT: CameraPath = CameraPath {
     dolly_frames: 2,
 };
 
-/// The times of each runner. A runner that fails takes no part any more, and its error is the answer.
+/// The times of each runner. `warmed` has the milliseconds of frames that they have drawn before. A runner that fails takes no part any more, and its error is the answer.
 pub(super) fn run(
     runners: &mut [Runner<'_>],
     camera: &Camera,
     plan: Plan,
+    warmed: &[f64],
     mut frame_done: impl FnMut(),
 ) -> Vec<Result<Vec<f64>>> {
     let count = runners.len();
     let mut times: Vec<Result<Vec<f64>, Error>> = (0..count).map(|_| Ok(Vec::new())).collect();
-    let mut spent = vec![0.0; count];
+    let mut spent = warmed.to_vec();
+    let mut most = plan.warm_after;
     for round in 0..plan.warm_up + plan.rounds {
         if round == plan.warm_up {
             spent.fill(0.0);
+            most = plan.budget;
         }
         let seen = Camera {
             eye: ORBIT.eye(camera, round),
@@ -50,7 +55,7 @@ pub(super) fn run(
         for turn in 0..count {
             let number = (turn + round as usize) % count;
             if let Ok(own) = &mut times[number]
-                && spent[number] <= plan.budget
+                && spent[number] <= most
             {
                 match runners[number](seen) {
                     Ok(ms) => {
@@ -76,6 +81,7 @@ mod tests {
 
     const PLAN: Plan = Plan {
         warm_up: 2,
+        warm_after: 50.0,
         rounds: 3,
         budget: 100.0,
     };
@@ -94,7 +100,13 @@ mod tests {
                 Ok(if name == 'a' { 1.0 } else { 2.0 })
             })
         };
-        let times = run(&mut [runner('a'), runner('b')], &camera(), PLAN, || {});
+        let times = run(
+            &mut [runner('a'), runner('b')],
+            &camera(),
+            PLAN,
+            &[0.0, 0.0],
+            || {},
+        );
         let times: Vec<_> = times.into_iter().map(Result::unwrap).collect();
         assert_eq!(times, [vec![1.0; 3], vec![2.0; 3]]);
         let seen = seen.into_inner();
@@ -105,6 +117,18 @@ mod tests {
             assert_eq!(round[0].1, round[1].1);
         }
         assert_ne!(seen[0].1, seen[2].1);
+    }
+
+    #[test]
+    fn who_has_drawn_for_long_is_warm() {
+        let frames = RefCell::new(0);
+        let runner: Runner<'_> = Box::new(|_| {
+            *frames.borrow_mut() += 1;
+            Ok(20.0)
+        });
+        let times = run(&mut [runner], &camera(), PLAN, &[40.0], || {});
+        assert_eq!(times[0].as_ref().unwrap().len(), 3);
+        assert_eq!(*frames.borrow(), 1 + 3);
     }
 
     #[test]
@@ -120,7 +144,13 @@ mod tests {
             }
         });
         let quick: Runner<'_> = Box::new(|_| Ok(1.0));
-        let times = run(&mut [slow, failing, quick], &camera(), PLAN, || {});
+        let times = run(
+            &mut [slow, failing, quick],
+            &camera(),
+            PLAN,
+            &[0.0; 3],
+            || {},
+        );
         assert_eq!(times[0].as_ref().unwrap().len(), 2);
         assert!(times[1].is_err());
         assert_eq!(times[2].as_ref().unwrap().len(), 3);
