@@ -3,7 +3,7 @@
 use std::cell::{Cell, RefCell};
 
 use onionskin::low_level::methods::Film;
-use onionskin::{Context, Error, Result, Scene};
+use onionskin::{Error, Result, Scene};
 
 use super::methods::Asked;
 use super::rounds::{self, Plan, Runner};
@@ -23,7 +23,6 @@ const BUDGET: f64 = 5000.0;
 /// What is measured, and how.
 pub(super) struct Task<'t> {
     pub(super) rendering: &'t Rendering,
-    pub(super) context: &'t Context,
     pub(super) asked: &'t Asked,
     pub(super) frames: u32,
     /// Whether to time their steps, too.
@@ -34,7 +33,6 @@ pub(super) struct Task<'t> {
 pub(super) fn measure(task: &Task<'_>, scene: &Scene, vtk: Option<Vtk>) -> Result<Vec<Row>> {
     let &Task {
         rendering,
-        context,
         asked,
         frames,
         ..
@@ -53,9 +51,15 @@ pub(super) fn measure(task: &Task<'_>, scene: &Scene, vtk: Option<Vtk>) -> Resul
         .as_ref()
         .map_or(0, |_| MODES.len() as u64 * frames_of_one);
     let progress = Progress::new(parts + of_vtk, &scene.name);
-    // Each method has a renderer of its own, so that none gives back in a round what it needs in the next.
-    let mut renderers = Vec::new();
+    // Each method has a context of its own, so that none gives back in a round what it needs in the next. Some drivers keep
+    // only so many compiled shaders for a context: on llvmpipe, lists' networks of all methods together are more, and each
+    // would be compiled again in each round.
+    let mut contexts = Vec::new();
     for _ in &methods {
+        contexts.push(rendering.gl.context()?);
+    }
+    let mut renderers = Vec::new();
+    for context in &contexts {
         renderers.push(rendering.silent_renderer(context, scene)?.without_costs());
     }
     let mut rows = Vec::new();

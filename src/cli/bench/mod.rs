@@ -116,11 +116,9 @@ impl Bench {
             sweep.check(&asked.methods(first))?;
         }
         self.check_paths()?;
-        let context = self.rendering.gl.context()?;
-        let device = context.driver().renderer.clone();
+        let device = self.rendering.gl.context()?.driver().renderer.clone();
         let task = Task {
             rendering: &self.rendering,
-            context: &context,
             asked: &asked,
             frames: self.frames,
             steps: self.steps,
