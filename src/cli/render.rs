@@ -90,7 +90,7 @@ impl Render {
         if self.times {
             let again = renderer.render(&scene, &method)?;
             let compiling = (frame.stats.ms - again.stats.ms).max(0.0);
-            stages.frame_done(&frame.times, compiling);
+            stages.frame_done(&frame, compiling);
         }
         let error = if self.json {
             let exact = self.setup.exact(&mut renderer, &scene)?;

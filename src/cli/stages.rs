@@ -3,7 +3,7 @@
 use std::fmt;
 use std::time::{Duration, Instant};
 
-use onionskin::low_level::methods::Times;
+use onionskin::Frame;
 
 /// The stages that are done, in milliseconds.
 pub(super) struct Stages {
@@ -29,12 +29,12 @@ impl Stages {
     }
 
     /// The stages of a frame are done, whose shaders took so long to compile. What was rendered besides is in no stage.
-    pub(super) fn frame_done(&mut self, times: &Times, compiling: f64) {
+    pub(super) fn frame_done(&mut self, frame: &Frame, compiling: f64) {
         self.done.extend([
-            ("sorting, upload, maps", times.set_up),
+            ("sorting, upload, maps", frame.times.set_up),
             ("compiling shaders", compiling),
-            ("drawing", times.draw - compiling),
-            ("counting, reading back", times.read_back),
+            ("drawing", frame.stats.ms - compiling),
+            ("counting, reading back", frame.times.read_back),
         ]);
         self.last = Instant::now();
     }

@@ -57,6 +57,8 @@ pub enum DrawOrder {
 #[derive(Clone, Copy, Debug)]
 #[non_exhaustive]
 pub struct Setup {
+    /// The image's width and height in pixels.
+    pub size: [u32; 2],
     /// The format of the image and of layers.
     pub color: Format,
     /// The format of every depth buffer.

@@ -1,7 +1,7 @@
 //! Depth batches (Wexler et al. 2005, as Carr et al. 2008 propose in section 9): the view's depth range in pieces, each
 //! with the triangles that reach into it.
 
-use super::culling::{SLACK, depth_range};
+use super::culling::depth_range;
 use crate::error::Result;
 use crate::papers::carr_2008::coherent::{BATCH_END, NEXT_BOUND};
 use crate::papers::carr_2008::{BOUND, D_SC};
@@ -22,17 +22,21 @@ pub(super) struct Batch {
 /// triangle's depth range. With the batches come the triangles that reach into each, as mesh and number, in their order.
 pub(super) fn batches(
     scene: &Scene,
+    size: [u32; 2],
     order: &[[u32; 2]],
     count: u32,
 ) -> (Vec<Batch>, Vec<Vec<[u32; 2]>>) {
     let camera = &scene.camera;
-    // Depth does not depend on the image's sides.
-    let view_projection = camera.projection(1, 1) * camera.view();
+    let [width, height] = size;
+    let view_projection = camera.projection(width, height) * camera.view();
     let is_transparent = |[mesh, _]: &&[u32; 2]| !scene.meshes[*mesh as usize].opaque;
     let transparent = order.iter().filter(is_transparent);
     let with_range = transparent.map(|&[mesh, triangle]| {
         let corners = scene.meshes[mesh as usize].corners(triangle as usize);
-        ([mesh, triangle], depth_range(view_projection, corners))
+        (
+            [mesh, triangle],
+            depth_range(view_projection, corners, size),
+        )
     });
     let triangles: Vec<([u32; 2], [f64; 2])> = with_range.collect();
     let mut middles: Vec<f32> = triangles
@@ -53,7 +57,7 @@ pub(super) fn batches(
         .collect();
     let inside = |batch: &Batch| {
         let reaches = |(_, [near, far]): &&([u32; 2], [f64; 2])| {
-            near - SLACK <= f64::from(batch.end) && far + SLACK >= f64::from(batch.begin)
+            *near <= f64::from(batch.end) && *far >= f64::from(batch.begin)
         };
         let inside = triangles.iter().filter(reaches);
         inside.map(|(triangle, _)| *triangle).collect()

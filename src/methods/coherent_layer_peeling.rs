@@ -74,6 +74,7 @@ impl From<Variant> for CoherentOptions {
 struct CoherentLayerPeeling {
     options: CoherentOptions,
     peeled: LoopGuard,
+    size: [u32; 2],
     color: Format,
     depth: Format,
     batches: Vec<Batch>,
@@ -121,6 +122,7 @@ impl CoherentLayerPeeling {
                 [] => peeled,
                 _ => peeled.guarded(),
             },
+            size: setup.size,
             color: setup.color,
             depth: setup.depth,
             batches: Vec::new(),
@@ -255,7 +257,7 @@ impl Algorithm for CoherentLayerPeeling {
         if self.options.batches < 2 || self.options.reading != Reading::Amended {
             return DrawOrder::Sorted(order);
         }
-        let (batches, mut orders) = batches(scene, &order, self.options.batches);
+        let (batches, mut orders) = batches(scene, self.size, &order, self.options.batches);
         self.batches = batches;
         orders.insert(0, order);
         DrawOrder::InTurn(orders)

@@ -4,13 +4,14 @@
 //!
 //! The bound is read back after every iteration. A GPU would keep it in a hierarchical depth buffer.
 
-use glam::{DMat4, DVec3, DVec4};
+use glam::{DMat4, DVec3};
 
-use crate::scene::Scene;
+use crate::oracle::surfaces::interpolation_error;
+use crate::scene::{Scene, Vertex};
 
-/// The largest distance of a rasterised depth from the exact one: several times f32's rounding. A triangle too many
-/// costs a little, but one too few would be missing.
-pub(super) const SLACK: f64 = 1e-5;
+/// The largest distance of a rasterised depth from the exact one, but for what a triangle's shape adds ([`beyond`]): several
+/// times f32's rounding. A triangle too many costs a little, but one too few would be missing.
+const SLACK: f64 = 1e-5;
 
 /// The side of a tile of pixels that are finished or not together.
 const TILE: usize = 8;
@@ -73,7 +74,7 @@ impl Extents {
         let is_open = |extent: &Extent| {
             (extent.rows[0]..=extent.rows[1]).any(|row| {
                 let tiles = &nearest[row * self.across..][extent.columns[0]..=extent.columns[1]];
-                tiles.iter().any(|&nearest| nearest <= extent.far + SLACK)
+                tiles.iter().any(|&nearest| nearest <= extent.far)
             })
         };
         let open = self.triangles.iter();
@@ -84,8 +85,8 @@ impl Extents {
 }
 
 /// The whole image if the triangle reaches behind the eye.
-fn extent(view_projection: DMat4, corners: [crate::scene::Vertex; 3], size: [u32; 2]) -> Extent {
-    let [_, far] = depth_range(view_projection, corners);
+fn extent(view_projection: DMat4, corners: [Vertex; 3], size: [u32; 2]) -> Extent {
+    let [_, far] = depth_range(view_projection, corners, size);
     let clip = corners.map(|corner| view_projection * corner.position.extend(1.0));
     let behind = clip.iter().any(|corner| corner.w <= 0.0);
     let [columns, rows] = [0, 1].map(|axis| {
@@ -101,39 +102,38 @@ fn extent(view_projection: DMat4, corners: [crate::scene::Vertex; 3], size: [u32
         };
         range.map(|place| place.clamp(0.0, last) as usize / TILE)
     });
-    let far = far + beyond(clip, size);
     Extent { columns, rows, far }
 }
 
-/// By how much a fragment may lie behind the farthest corner of a triangle before the eye. A corner is moved by up to half
-/// of 1/256 pixel along each axis, and the plane goes on over the moved edge. And its slopes are quotients of differences of
-/// products in f32, which in a sliver are far larger than their differences.
-fn beyond(clip: [DVec4; 3], [width, height]: [u32; 2]) -> f64 {
+/// The window depths between which a rasteriser may give a triangle fragments, or the whole range if it reaches behind the
+/// eye.
+pub(super) fn depth_range(
+    view_projection: DMat4,
+    corners: [Vertex; 3],
+    [width, height]: [u32; 2],
+) -> [f64; 2] {
+    let clip = corners.map(|corner| view_projection * corner.position.extend(1.0));
+    if clip.iter().any(|corner| corner.w <= 0.0) {
+        return [0.0, 1.0];
+    }
     let size = DVec3::new(f64::from(width), f64::from(height), 1.0);
-    let window = clip.map(|corner| corner.truncate() / corner.w * size / 2.0);
-    let [along, across] = [window[1] - window[0], window[2] - window[0]];
-    let normal = along.cross(across);
-    let box_of = window[0].max(window[1]).max(window[2]) - window[0].min(window[1]).min(window[2]);
-    let moved = (normal.x.abs() + normal.y.abs()) / 512.0;
-    // Two products for each slope, two for the area, of three roundings each.
-    let rounded = 18.0 * 2.0_f64.powi(-24) * box_of.x * box_of.y * box_of.z;
-    let beyond = (moved + rounded) / normal.z.abs();
-    // A triangle that is seen edge on has no area, and is not worth a thought.
-    if beyond.is_finite() { beyond } else { 1.0 }
+    let window = clip.map(|corner| (corner.truncate() / corner.w + 1.0) / 2.0 * size);
+    let depths = window.map(|corner| corner.z);
+    let near = depths.into_iter().fold(f64::INFINITY, f64::min);
+    let far = depths.into_iter().fold(f64::NEG_INFINITY, f64::max);
+    let beyond = SLACK + beyond(window);
+    [near - beyond, far + beyond]
 }
 
-/// The window depths between which a triangle lies, or the whole range if it reaches behind the eye.
-pub(super) fn depth_range(view_projection: DMat4, corners: [crate::scene::Vertex; 3]) -> [f64; 2] {
-    let mut range = [f64::INFINITY, f64::NEG_INFINITY];
-    for corner in corners {
-        let clip = view_projection * corner.position.extend(1.0);
-        if clip.w <= 0.0 {
-            return [0.0, 1.0];
-        }
-        let depth = clip.z / clip.w * 0.5 + 0.5;
-        range = [range[0].min(depth), range[1].max(depth)];
-    }
-    range
+/// By how much a fragment's depth may lie beyond those of a triangle's corners, which are pixels and window depths. A corner
+/// is moved by up to half of 1/256 pixel along each axis, and the plane goes on over the moved edge. And its slopes are
+/// rounded.
+fn beyond(window: [DVec3; 3]) -> f64 {
+    let normal = (window[1] - window[0]).cross(window[2] - window[0]);
+    let moved = (normal.x.abs() + normal.y.abs()) / normal.z.abs() / 512.0;
+    let beyond = moved + interpolation_error(&window.map(|corner| corner.to_array()));
+    // A triangle that is seen edge on has no area, and is not worth a thought.
+    if beyond.is_finite() { beyond } else { 1.0 }
 }
 
 #[cfg(test)]
@@ -142,21 +142,16 @@ mod tests {
 
     #[test]
     fn a_fragment_may_lie_behind_the_farthest_corner_by_the_slope_over_half_a_step() {
-        // In a window of 20 x 20 pixels: 10 pixels along x and along y, and 0.1 deep along x.
-        let corner = |x: f64, y: f64, z: f64| DVec4::new(x / 10.0, y / 10.0, 2.0 * z, 1.0);
-        let of = |[a, b, c]: [DVec4; 3]| beyond([a, b, c], [20, 20]);
-        let beyond = of([
-            corner(0.0, 0.0, 0.0),
-            corner(10.0, 0.0, 0.1),
-            corner(0.0, 10.0, 0.0),
-        ]);
-        let rounded = 18.0 * 2.0_f64.powi(-24) * 0.1;
-        assert!(
-            (beyond - (0.01 / 512.0 + rounded)).abs() < 1e-12,
-            "{beyond}"
-        );
+        // 10 pixels along x and along y, and 0.1 deep along x.
+        let triangle = [[0.0, 0.0, 0.0], [10.0, 0.0, 0.1], [0.0, 10.0, 0.0]];
+        let rounded = interpolation_error(&triangle);
+        let beyond = |triangle: [[f64; 3]; 3]| beyond(triangle.map(DVec3::from_array));
+        let off = beyond(triangle) - (0.01 / 512.0 + rounded);
+        assert!(off.abs() < 1e-12 && rounded > 1e-7, "{off} {rounded}");
         // Edge on.
-        let edge = [0.0, 1.0, 2.0].map(|part| corner(part, part, part * part / 10.0));
-        assert_eq!(of(edge), 1.0);
+        assert_eq!(
+            beyond([0.0, 1.0, 2.0].map(|part| [part, part, part * part / 10.0])),
+            1.0
+        );
     }
 }

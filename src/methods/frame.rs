@@ -16,21 +16,19 @@ pub struct Frame {
     pub hanging: Option<Hanging>,
     /// The counts, and the time.
     pub stats: Stats,
-    /// Where the time went.
+    /// The time besides that of drawing.
     pub times: Times,
     /// Notes for the caller about things that do not affect the image: errors that OpenGL had pending before the frame,
     /// in someone else's context.
     pub notices: Vec<String>,
 }
 
-/// Where a frame's time went, in milliseconds, one part after the other.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+/// The milliseconds before and after the drawing, whose own are [`Stats::ms`].
+#[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Times {
     /// Sorting and uploading triangles that stay from frame to frame, and making maps.
     pub set_up: f64,
-    /// Drawing ([`Stats::ms`]). In the first frame of a method it contains the compilation of its shaders.
-    pub draw: f64,
     /// Counting what belongs in the image, and reading the image back.
     pub read_back: f64,
 }

@@ -1,22 +1,20 @@
-//! Rendering: setting a method up for a scene, running it, reading the image, and counting the fragments that belong in
-//! it.
+//! Rendering: setting a method up for a scene, running it, and finishing the frame.
+
+mod finish;
 
 use std::borrow::Cow;
 use std::time::{Duration, Instant};
 
-use super::algorithm::{Algorithm, Composited, DrawOrder, Drawn, Setup};
+use super::algorithm::{Algorithm, DrawOrder, Drawn, Setup};
 use super::allocate_maps::allocate_maps;
-use super::frame::{Frame, Layer, Times};
-use super::proxies::proxies;
-use super::stats::Stats;
+use super::frame::Frame;
 use super::technique::Technique;
 use super::{inverse_w, slicing};
 use crate::error::Result;
 use crate::gl::{Context, Format, Geometry, GlMachine};
-use crate::image::Image;
 use crate::papers::stage;
 use crate::scene::{Camera, Scene};
-use crate::steps::{Call, Machine, Map, Variables, run};
+use crate::steps::{Call, Machine};
 
 /// Renders scenes at one size.
 ///
@@ -160,17 +158,8 @@ impl<'c> Renderer<'c> {
         let mut algorithm = self.prepare(shown, method, held)?;
         self.machine.finish();
         let set_up = milliseconds(begun);
-        let (mut drawn, ms) = self.draw(scene, algorithm.as_mut())?;
-        let drawn_at = Instant::now();
-        self.machine
-            .save_and_restore(|machine| algorithm.account(machine, &mut drawn))?;
-        let frame = self.finish(shown, method, drawn, ms)?;
-        let times = Times {
-            set_up,
-            draw: ms,
-            read_back: milliseconds(drawn_at),
-        };
-        Ok(Frame { times, ..frame })
+        let (drawn, ms) = self.draw(scene, algorithm.as_mut())?;
+        self.finish(shown, method, algorithm.as_mut(), drawn, [set_up, ms])
     }
 
     /// Renders a frame to warm up, and then `frames` more, or as many as begin within two seconds, but at least one.
@@ -187,7 +176,10 @@ impl<'c> Renderer<'c> {
         let _visit = self.machine.context().visit()?;
         let shown = self.shown(self.with_planes(scene), scene.camera, method)?;
         let scene = &*shown.scene;
+        let begun = Instant::now();
         let mut algorithm = self.prepare(&shown, method, &mut None)?;
+        self.machine.finish();
+        let set_up = milliseconds(begun);
         self.draw(scene, algorithm.as_mut())?;
         let start = Instant::now();
         let (mut drawn, ms) = self.draw(scene, algorithm.as_mut())?;
@@ -197,10 +189,9 @@ impl<'c> Renderer<'c> {
             drawn = again;
             times.push(ms);
         }
-        self.machine
-            .save_and_restore(|machine| algorithm.account(machine, &mut drawn))?;
         times.sort_unstable_by(f64::total_cmp);
-        self.finish(&shown, method, drawn, times[times.len() / 2])
+        let times = [set_up, times[times.len() / 2]];
+        self.finish(&shown, method, algorithm.as_mut(), drawn, times)
     }
 
     /// Copies the last frame's image into the default framebuffer, which a window shows; the lower left corners meet.
@@ -299,6 +290,7 @@ impl<'c> Renderer<'c> {
         held: &mut Option<DrawOrder>,
     ) -> Result<Box<dyn Algorithm>> {
         let mut algorithm = method.algorithm(&Setup {
+            size: self.machine.size(),
             color: self.color,
             depth: self.depth,
             counts_costs: self.counts_costs,
@@ -346,105 +338,6 @@ impl<'c> Renderer<'c> {
             alpha: 1.0,
         })
     }
-
-    fn finish(
-        &mut self,
-        shown: &Shown<'_>,
-        method: &dyn Technique,
-        drawn: Drawn,
-        ms: f64,
-    ) -> Result<Frame> {
-        let counts = self.machine.counts();
-        let image = match drawn.image {
-            Some(image) => image,
-            None => self.image(stage::IMAGE_COLOR)?,
-        };
-        let layers = match drawn.keeps_layers {
-            true => self.layers(drawn.layers.unwrap_or(0))?,
-            false => Vec::new(),
-        };
-        let fragments = self.count_fragments(&shown.scene)?;
-        let lost = match drawn.composited {
-            Composited::All => Some(0),
-            Composited::Some(composited) => Some(fragments.saturating_sub(composited)),
-            Composited::Lost(left) => Some(left),
-            Composited::Unknown => None,
-        };
-        // Without this check, parts for which a driver had too little memory would only be missing in the image.
-        let method = method.entry().name;
-        self.machine
-            .expect_no_error(&format!("while {method} rendered the frame"))?;
-        let stats = Stats {
-            method: method.into(),
-            chosen: drawn.chosen,
-            iterations: drawn.iterations,
-            geometry_passes: counts.geometry_passes,
-            triangles: counts.triangles,
-            layers: drawn.layers,
-            fragments,
-            lost,
-            merged: drawn
-                .unmerged
-                .map(|unmerged| fragments.saturating_sub(unmerged)),
-            stopped: drawn.stopped,
-            peeling: drawn.peeling,
-            bytes: counts.bytes,
-            slices: shown.slices,
-            a_buffer: drawn.a_buffer,
-            verified: drawn.verified,
-            ms,
-        };
-        Ok(Frame {
-            image,
-            layers,
-            hanging: drawn.hanging,
-            stats,
-            times: Times {
-                draw: ms,
-                ..Times::default()
-            },
-            notices: notices(self.machine.context()),
-        })
-    }
-
-    fn image(&self, map: Map) -> Result<Image> {
-        let [width, height] = self.machine.size();
-        Ok(Image::from_bottom_up(
-            width,
-            height,
-            &self.machine.read_colors(map)?,
-        ))
-    }
-
-    fn layers(&self, count: u32) -> Result<Vec<Layer>> {
-        let width = self.machine.size()[0] as usize;
-        let layer = |number| {
-            let color = self.image(Map::numbered("layer", number))?;
-            // As printed, the listing saves colours only.
-            let depth = self
-                .machine
-                .read_depths(Map::numbered("layer depth", number))
-                .unwrap_or_default();
-            Ok(Layer {
-                color,
-                depth: depth.chunks_exact(width).rev().flatten().copied().collect(),
-            })
-        };
-        (0..count).map(layer).collect()
-    }
-
-    /// The number of fragments that belong in the image, for any method: see [`stage::COUNT`]. Leaves the image as it
-    /// is.
-    fn count_fragments(&mut self, scene: &Scene) -> Result<u64> {
-        self.begin(scene)?;
-        run(
-            &stage::COUNT,
-            proxies(scene),
-            Variables::new(),
-            &mut self.machine,
-        )?;
-        self.machine.samples(stage::FRAGMENTS)
-    }
 }
 
 /// The orders other than the scene's own.
@@ -454,15 +347,4 @@ pub(super) fn orders(order: &DrawOrder) -> &[Vec<[u32; 2]>] {
         DrawOrder::Sorted(order) => std::slice::from_ref(order),
         DrawOrder::InTurn(orders) => orders,
     }
-}
-
-/// Notes about errors of someone else.
-fn notices(context: &Context) -> Vec<String> {
-    let errors = context.foreign_errors();
-    let notice = |error| {
-        format!(
-            "OpenGL had {error} pending before the frame: it is of a call that was made before, and is taken note of here"
-        )
-    };
-    errors.into_iter().map(notice).collect()
 }

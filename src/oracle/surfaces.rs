@@ -198,12 +198,13 @@ impl Triangle {
     }
 }
 
-/// By how much 1 / distance in a triangle may be off if its change along x and along y is computed in f32.
+/// By how much a value in a triangle may be off if its change along x and along y is computed in f32. A corner is a place in
+/// the image, and the value there, such as 1 / distance.
 ///
-/// Both are differences of two products, of an edge's change of 1 / distance and another edge's length along the other
-/// axis, divided by twice the area, which is such a difference, too. Each product has three roundings of 2^-24. In a sliver
-/// across the axes the products are far larger than their differences, by the ratio of its box to its area.
-fn interpolation_error(outline: &[Corner; 3]) -> f64 {
+/// Both are differences of two products, of an edge's change of the value and another edge's length along the other axis,
+/// divided by twice the area, which is such a difference, too. Each product has three roundings of 2^-24. In a sliver across
+/// the axes the products are far larger than their differences, by the ratio of its box to its area.
+pub(crate) fn interpolation_error(outline: &[[f64; 3]; 3]) -> f64 {
     let extent = |axis: usize| {
         let values = outline.map(|corner| corner[axis]);
         let most = values.into_iter().fold(f64::NEG_INFINITY, f64::max);
