@@ -17,5 +17,6 @@ mod help;
 mod hostile;
 mod hostile_options;
 mod ledger_rows;
+mod listing;
 mod terminal;
 mod without_opengl;

@@ -2,25 +2,19 @@
 //! without the triangles that are finished. The image is the same to the last bit, and what they cost and spare is counted.
 
 use crate::kit::bounds::F32;
-use crate::kit::changed::changed;
-use crate::kit::lockstep::{LockStep, Watched, surfaces};
-use crate::kit::peels::IMAGE;
 use crate::kit::render::example;
-use crate::kit::stack::{self, LEVELS, Piece, Stack, runner, stacks};
+use crate::kit::stack::{self, LEVELS, Stack, runner, stacks};
 use crate::kit::vtk_scenes::{nearest, over, peel, render, soup_scene, staircase};
 use onionskin::generate::{Quads, Soup, SubmissionOrder, quads, soup};
-use onionskin::low_level::emulator::Emulator;
 use onionskin::low_level::gl::{Geometry, GlMachine};
 use onionskin::low_level::methods::allocate_maps;
 use onionskin::low_level::papers::{stage, vtk};
-use onionskin::low_level::steps::{
-    Amendment, DepthUnits, Map, Outcome, Reason, Shader, Variables, gl::*, run,
-};
+use onionskin::low_level::steps::{Amendment, DepthUnits, Outcome, Reason, Variables, run};
 use onionskin::options::{Compositing, DepthPeelingOptions, Reading};
-use onionskin::{Camera, Comparison, Context, Format, Method, Renderer, Scene, steps};
+use onionskin::{Camera, Comparison, Context, Format, Method, Renderer, Scene};
 use proptest::test_runner::TestCaseError;
 
-const PLAIN: DepthPeelingOptions = DepthPeelingOptions {
+pub(crate) const PLAIN: DepthPeelingOptions = DepthPeelingOptions {
     maximum_number_of_peels: 0,
     occlusion_ratio: 0.0,
     compositing: Compositing::OnTheFly,
@@ -31,27 +25,27 @@ const PLAIN: DepthPeelingOptions = DepthPeelingOptions {
     depth_unit_0: onionskin::options::DepthUnit0::Sampler,
     amendments: &[],
 };
-const LATE: DepthPeelingOptions = DepthPeelingOptions {
+pub(crate) const LATE: DepthPeelingOptions = DepthPeelingOptions {
     late_query: true,
     ..PLAIN
 };
-const ALIVE: DepthPeelingOptions = DepthPeelingOptions {
+pub(crate) const ALIVE: DepthPeelingOptions = DepthPeelingOptions {
     alive: true,
     ..PLAIN
 };
-const BOTH: DepthPeelingOptions = DepthPeelingOptions {
+pub(crate) const BOTH: DepthPeelingOptions = DepthPeelingOptions {
     late_query: true,
     ..ALIVE
 };
-const CULL: DepthPeelingOptions = DepthPeelingOptions {
+pub(crate) const CULL: DepthPeelingOptions = DepthPeelingOptions {
     cull: true,
     ..PLAIN
 };
-const ALL: DepthPeelingOptions = DepthPeelingOptions { cull: true, ..BOTH };
-const IMPROVED: [DepthPeelingOptions; 5] = [LATE, ALIVE, BOTH, CULL, ALL];
+pub(crate) const ALL: DepthPeelingOptions = DepthPeelingOptions { cull: true, ..BOTH };
+pub(crate) const IMPROVED: [DepthPeelingOptions; 5] = [LATE, ALIVE, BOTH, CULL, ALL];
 
 /// The staircase with and without something opaque, a soup, and a scene of meshes before an opaque plane.
-fn scenes() -> Vec<Scene> {
+pub(crate) fn scenes() -> Vec<Scene> {
     let before = |opaque| Stack {
         opaque,
         ..staircase()
@@ -259,175 +253,6 @@ fn a_limit_and_a_ratio_leave_out_the_same_layers() {
 }
 
 #[test]
-fn a_changed_word_of_an_improvement_is_noticed() {
-    let context = Context::headless().unwrap();
-    let stack = Stack {
-        opaque: Some(900),
-        ..staircase()
-    };
-    let right = peel(&context, &stack, PLAIN);
-    for (name, options, amendments) in CHANGES {
-        let options = DepthPeelingOptions {
-            maximum_number_of_peels: 12,
-            amendments,
-            ..options
-        };
-        let frame = peel(&context, &stack, options);
-        let same = frame.image == right.image
-            && frame.stats.layers == right.stats.layers
-            && frame.stats.lost == right.stats.lost;
-        assert!(!same, "{name} was not noticed");
-    }
-}
-
-const FIRST: Shader = Shader("alive/first");
-const LATER: Shader = Shader("alive/later");
-
-/// One changed word each. The caller's amendments hold before the improvements, so each is an improvement's, changed.
-const CHANGES: [(&str, DepthPeelingOptions, &[Amendment]); 5] = [
-    (
-        "the depths of the last layers left in the next peel's buffer",
-        ALIVE,
-        &[changed(
-            steps! { glBindFramebuffer(stage::ACCUMULATION); glEnable(BLEND); },
-            steps! {
-                glBindFramebuffer(stage::ACCUMULATION);
-                glFramebufferDepth(Map::at("depth buffer", "A"));
-                glDepthFunc(ALWAYS);
-                glEnable(BLEND);
-            },
-        )],
-    ),
-    (
-        "LESS for ALWAYS",
-        ALIVE,
-        &[changed(
-            steps! { glBindFramebuffer(stage::ACCUMULATION); glEnable(BLEND); },
-            steps! {
-                glBindFramebuffer(stage::ACCUMULATION);
-                glFramebufferDepth(Map::at("depth buffer", "A"));
-                glClearDepth(0.0);
-                glClear(DEPTH_BUFFER_BIT);
-                glDepthFunc(LESS);
-                glEnable(BLEND);
-            },
-        )],
-    ),
-    (
-        "dead pixels taken for a layer",
-        ALIVE,
-        &[changed(
-            steps! { glUseProgram(vtk::UNDER_LAYER); },
-            steps! { glUseProgram(FIRST); },
-        )],
-    ),
-    (
-        "what is under, without a depth for the next peel",
-        ALIVE,
-        &[changed(
-            steps! { glUseProgram(vtk::UNDER_LAYER); },
-            steps! { if (i == 0) { glUseProgram(FIRST); } else { glUseProgram(vtk::UNDER_LAYER); } },
-        )],
-    ),
-    (
-        "the count of the last layer forgotten",
-        DepthPeelingOptions {
-            maximum_number_of_peels: 4,
-            ..LATE
-        },
-        &[changed(
-            vtk::QUERY.amended,
-            steps! {
-                drawTransparentObjects();
-                peels = i + 1;
-                if (i > 1) {
-                    pixels = samples(PIXELS);
-                    stop if (pixels == 0) because EmptyLayer;
-                    composited = composited + pixels;
-                    num_layers = i;
-                }
-            },
-        )],
-    ),
-];
-
-const PIXELS: onionskin::low_level::steps::Query = onionskin::low_level::steps::Query("pixels");
-
-#[test]
-fn a_first_layer_at_depth_0_is_not_taken_for_a_dead_pixel() {
-    use crate::kit::peels::{before, expected_color, pixel};
-    let pixels = vec![
-        pixel([0.5, 0.0]),
-        pixel([0.0]),
-        before(pixel([0.25, 0.0, 0.75]), 0.5),
-    ];
-    let colors = |amendments: &[Amendment]| {
-        let mut emulator = Emulator::new(pixels.clone());
-        allocate(&mut emulator, D32F);
-        on_the_fly(&mut emulator, amendments, f64::INFINITY);
-        emulator.colors(IMAGE).unwrap().to_vec()
-    };
-    let alive = colors(&vtk::ALIVE);
-    assert_eq!(alive, colors(&[]));
-    for (pixel, color) in pixels.iter().zip(&alive) {
-        for (found, expected) in color.iter().zip(expected_color(pixel)).take(3) {
-            assert!((f64::from(*found) - expected).abs() < F32, "{color:?}");
-        }
-    }
-    // The later layers' shader would.
-    let mut later = vec![changed(
-        steps! { glUseProgram(vtk::UNDER_LAYER); },
-        steps! { glUseProgram(LATER); },
-    )];
-    later.extend(vtk::ALIVE);
-    assert_ne!(colors(&later), alive);
-}
-
-#[test]
-fn the_emulated_pixel_and_opengl_agree_all_the_way() {
-    let context = Context::headless().unwrap();
-    let piece = |pixel: u16, n: u16| Piece {
-        level: (pixel * 37 + n * 331) % 9 * 100,
-        color: [
-            f32::from(pixel % 7) / 7.0,
-            f32::from(n) / 9.0,
-            0.25,
-            0.1 + f32::from((pixel + n) % 9) / 10.0,
-        ],
-    };
-    let pixels = (0..900).map(|pixel| (0..pixel % 9).map(|n| piece(pixel, n)).collect());
-    let stack = Stack {
-        width: 30,
-        pixels: pixels.collect(),
-        opaque: Some(650),
-    };
-    let scene = stack.scene();
-    for amendments in [
-        vtk::LATE_QUERY.to_vec(),
-        vtk::ALIVE.to_vec(),
-        [vtk::LATE_QUERY, vtk::ALIVE].concat(),
-    ] {
-        let mut gl = machine(&context, &scene, D32F);
-        let pixels = surfaces(&mut gl, &scene, IMAGE);
-        let mut emulator = Emulator::new(pixels.clone());
-        allocate(&mut emulator, D32F);
-        gl.begin_frame();
-        let depths = vtk::DEPTH_BUFFERS.map(|map| Watched { map, format: D32F });
-        let colors = Watched {
-            map: stage::ACCUMULATED,
-            format: Format::Rgba32F,
-        };
-        let watched = [&depths[..], &[colors]].concat();
-        let all = (0..pixels.len()).collect();
-        let mut both = LockStep::new(&mut gl, &mut emulator, watched, all, 0.0);
-        let outcome = on_the_fly(&mut both, &amendments, f64::INFINITY);
-        assert_eq!(outcome.stopped, Some(Reason::EmptyLayer));
-        println!("{} comparisons", both.compared);
-        assert!(both.compared > 30_000, "{}", both.compared);
-    }
-}
-
-#[test]
 fn what_does_not_go_together_is_refused_with_a_remedy() {
     let context = Context::headless().unwrap();
     let scene = staircase().scene();
@@ -466,14 +291,14 @@ fn what_does_not_go_together_is_refused_with_a_remedy() {
     assert_eq!(method, Method::DepthPeeling(ALL));
 }
 
-const D32F: Format = Format::Depth32FStencil8;
+pub(crate) const D32F: Format = Format::Depth32FStencil8;
 
-fn allocate(workspace: &mut impl onionskin::low_level::steps::Workspace, depth: Format) {
+pub(crate) fn allocate(workspace: &mut impl onionskin::low_level::steps::Workspace, depth: Format) {
     let resources = [&stage::RESOURCES, &vtk::PEELING, &stage::ACCUMULATING];
     allocate_maps(workspace, &resources, Format::Rgba32F, depth).unwrap();
 }
 
-fn machine<'c>(context: &'c Context, scene: &Scene, depth: Format) -> GlMachine<'c> {
+pub(crate) fn machine<'c>(context: &'c Context, scene: &Scene, depth: Format) -> GlMachine<'c> {
     let mut gl = GlMachine::new(context, scene.size).unwrap();
     allocate(&mut gl, depth);
     gl.set_geometry(Geometry::upload(context, scene, scene.size).unwrap());
@@ -482,7 +307,7 @@ fn machine<'c>(context: &'c Context, scene: &Scene, depth: Format) -> GlMachine<
 }
 
 /// The listing, without an occlusion ratio.
-fn on_the_fly(
+pub(crate) fn on_the_fly(
     machine: &mut impl onionskin::low_level::steps::Machine,
     amendments: &[Amendment],
     peels: f64,

@@ -89,18 +89,10 @@ fn what_cannot_be_proved_is_counted() {
 #[test]
 fn a_method_that_does_not_draw_volumes_has_a_row_that_says_why() {
     let fog = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/scenes/fog.toml");
-    let answer = desk().run(&[
-        "bench",
-        "--no-vtk",
-        fog,
-        "--size",
-        "32x24",
-        "--frames",
-        "1",
-        "-m",
-        "painter,dfb+ppdp",
-        "--json",
-    ]);
+    let small = ["--no-vtk", "--size", "32x24", "--frames", "1"];
+    let methods = ["bench", fog, "-m", "painter,dfb+ppdp"];
+    let table = [&methods[..], &small].concat();
+    let answer = desk().run(&[&table[..], &["--json"]].concat());
     assert_eq!(answer.code, 0, "{answer}");
     let objects = answer.objects();
     for refused in &objects[..2] {
@@ -114,17 +106,7 @@ fn a_method_that_does_not_draw_volumes_has_a_row_that_says_why() {
         Value::Null,
         "there is nothing to be relative to"
     );
-    let table = desk().run(&[
-        "bench",
-        "--no-vtk",
-        fog,
-        "--size",
-        "32x24",
-        "--frames",
-        "1",
-        "-m",
-        "painter,dfb+ppdp",
-    ]);
+    let table = desk().run(&table);
     table.says(&["note: painter: ", "draws surfaces only"]);
 }
 

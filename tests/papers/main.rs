@@ -33,6 +33,7 @@ mod figure_2_orders;
 mod lindholm;
 mod listings;
 mod listings_carr;
+mod origins;
 mod print;
 mod readings;
 mod smallest_change;

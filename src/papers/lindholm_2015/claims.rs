@@ -103,10 +103,10 @@ claims! {
                    ppAO and without. Every pixel is resolved once, by the smallest segment that holds it. The \
                    masking itself has to be corrected (LX05 to LX07).",
         tests: [
-            gl::claims_lindholm_resolve::l10_the_fill_counts_and_no_geometry_pass_is_added,
-            gl::claims_lindholm_resolve::l10_the_counting_pass_is_the_memory_manager_s_and_not_pp_ao_s,
-            gl::claims_lindholm_resolve::l10_every_pixel_is_resolved_by_the_smallest_segment_that_holds_it,
-            gl::claims_lindholm_resolve::l10_what_a_fixed_buffer_has_no_room_for_is_lost_and_counted,
+            gl::claims_lindholm_pp_ao::l10_the_fill_counts_and_no_geometry_pass_is_added,
+            gl::claims_lindholm_pp_ao::l10_the_counting_pass_is_the_memory_manager_s_and_not_pp_ao_s,
+            gl::claims_lindholm_pp_ao::l10_every_pixel_is_resolved_by_the_smallest_segment_that_holds_it,
+            gl::claims_lindholm_pp_ao::l10_what_a_fixed_buffer_has_no_room_for_is_lost_and_counted,
         ],
     }
     L11 ("section 6.2") Amended {
@@ -116,9 +116,9 @@ claims! {
                    last segment of 64 or 128, what is deeper is resolved in none (LX05). By a counter of 32 bits, a \
                    last segment that takes the rest, and ppDP, complexities of 254 to 600 lose nothing.",
         tests: [
-            gl::claims_lindholm_resolve::l11_eight_bits_leave_255_and_more_to_the_last_segment_as_printed,
-            gl::claims_lindholm_resolve::l11_complexities_of_255_and_more_share_the_last_segment_and_none_is_lost,
-            gl::claims_lindholm_resolve::l11_as_printed_the_stencil_loses_what_lies_past_the_last_segment,
+            gl::claims_lindholm_pp_ao::l11_eight_bits_leave_255_and_more_to_the_last_segment_as_printed,
+            gl::claims_lindholm_pp_ao::l11_complexities_of_255_and_more_share_the_last_segment_and_none_is_lost,
+            gl::claims_lindholm_pp_ao::l11_as_printed_the_stencil_loses_what_lies_past_the_last_segment,
             papers::emulator_lists::l11_the_stencil_s_masks_are_what_arithmetic_says,
             papers::emulator_lists::l11_of_the_marks_only_invert_works_and_only_up_to_128,
         ],

@@ -42,8 +42,8 @@ errata! {
         change: "\"or i = max\".",
         tests: [
             papers::emulator_lists::l11_past_the_last_segment_nothing_is_resolved_as_printed,
-            gl::claims_lindholm_resolve::l11_as_printed_the_stencil_loses_what_lies_past_the_last_segment,
-            gl::claims_lindholm_resolve::lx05_by_counter_alone_exactly_what_lies_past_the_last_segment_is_lost,
+            gl::claims_lindholm_pp_ao::l11_as_printed_the_stencil_loses_what_lies_past_the_last_segment,
+            gl::claims_lindholm_pp_ao::lx05_by_counter_alone_exactly_what_lies_past_the_last_segment_is_lost,
             gl::fused_as_printed::l11_past_the_last_segment_there_is_no_fog,
         ],
     }
@@ -55,7 +55,7 @@ errata! {
                  larger segments.",
         tests: [
             papers::emulator_lists::l11_eight_bits_send_what_is_past_255_to_the_wrong_segment,
-            gl::claims_lindholm_resolve::l11_complexities_of_255_and_more_share_the_last_segment_and_none_is_lost,
+            gl::claims_lindholm_pp_ao::l11_complexities_of_255_and_more_share_the_last_segment_and_none_is_lost,
         ],
     }
     LX07 ("sections 5.1 and 6.2") Gap {
@@ -65,7 +65,7 @@ errata! {
         change: "None is needed if a pixel belongs to one segment by its count.",
         tests: [
             papers::emulator_lists::l11_of_the_marks_only_invert_works_and_only_up_to_128,
-            gl::claims_lindholm_resolve::lx07_as_printed_pixels_are_resolved_twice,
+            gl::claims_lindholm_pp_ao::lx07_as_printed_pixels_are_resolved_twice,
             gl::fused_as_printed::lx07_with_a_segment_of_256_the_fog_is_seen_through_itself,
         ],
     }
@@ -136,6 +136,6 @@ errata! {
         executed: "How the counts come from one into the other is not said. A stencil buffer that holds none masks \
                    nothing, so that every segment resolves every pixel.",
         change: "Count into the stencil buffer along with the fill, by INCR, or mask by the integer counter.",
-        tests: [gl::claims_lindholm_resolve::lx16_literally_the_stencil_buffer_holds_no_count_and_masks_nothing],
+        tests: [gl::claims_lindholm_pp_ao::lx16_literally_the_stencil_buffer_holds_no_count_and_masks_nothing],
     }
 }
