@@ -1,6 +1,6 @@
 //! One colour for each method, the same in all plots.
 
-use plotters::style::RGBColor;
+use plotters::style::{Color, HSLColor, RGBColor};
 
 /// Three hues of four shades for A-buffers. A hue stands for a manager, and its shades for static, ppAO, ppDP, both.
 pub(super) const A_BUFFERS: [(&str, RGBColor); 12] = [
@@ -36,9 +36,6 @@ const OTHERS: [(&str, RGBColor); 15] = [
     ("exact", RGBColor(0x25, 0x25, 0x25)),
 ];
 
-/// For methods that are not in the registry.
-const UNKNOWN: RGBColor = RGBColor(0x52, 0x52, 0x52);
-
 /// For VTK's modes, whose lines are broken.
 const VTK: [(&str, RGBColor); 3] = [
     ("VTK alpha", RGBColor(0x01, 0x66, 0x5E)),
@@ -46,11 +43,19 @@ const VTK: [(&str, RGBColor); 3] = [
     ("VTK dual", RGBColor(0x5A, 0xB4, 0xAC)),
 ];
 
-/// The colour of a method, or of a mode of VTK.
+/// The colour of a method, or of a mode of VTK. A method that is not in these tables has one that follows from its name.
 pub(super) fn of(name: &str) -> RGBColor {
     let mut known = A_BUFFERS.iter().chain(&OTHERS).chain(&VTK);
     let found = known.find(|(known, _)| *known == name);
-    found.map_or(UNKNOWN, |(_, color)| *color)
+    found.map_or_else(|| of_unknown(name), |(_, color)| *color)
+}
+
+/// A hue by the name's letters (FNV-1a), dark enough for a line on white.
+fn of_unknown(name: &str) -> RGBColor {
+    let mix = |hash: u32, byte: u8| (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193);
+    let hash = name.bytes().fold(0x811C_9DC5, mix);
+    let (r, g, b) = HSLColor(f64::from(hash) / 2_f64.powi(32), 0.6, 0.4).rgb();
+    RGBColor(r, g, b)
 }
 
 #[cfg(test)]
@@ -68,7 +73,8 @@ mod tests {
             .map(|RGBColor(r, g, b)| (r, g, b))
             .collect();
         assert_eq!(colors.len(), registry().len());
-        let RGBColor(r, g, b) = of("other");
-        assert!(!colors.contains(&(r, g, b)), "a method is missing");
+        // So has one that nobody has given a colour.
+        let [RGBColor(r, g, b), another] = ["mine", "another"].map(of);
+        assert!(!colors.contains(&(r, g, b)) && another != RGBColor(r, g, b));
     }
 }

@@ -29,7 +29,8 @@ pub(super) struct Task<'t> {
     pub(super) steps: bool,
 }
 
-/// A row for each method, and for each mode of VTK if it takes part. One that does not run on this scene or driver has a row that says why.
+/// A row for each method, and for each mode of VTK if it takes part. One that does not run on this scene or driver has a row
+/// that says why.
 pub(super) fn measure(task: &Task<'_>, scene: &Scene, vtk: Option<Vtk>) -> Result<Vec<Row>> {
     let &Task {
         rendering,

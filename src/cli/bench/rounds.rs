@@ -30,7 +30,8 @@ const ORBIT: CameraPath = CameraPath {
     dolly_frames: 2,
 };
 
-/// The times of each runner. `warmed` has the milliseconds of frames that they have drawn before. A runner that fails takes no part any more, and its error is the answer.
+/// The times of each runner. `warmed` has the milliseconds of frames that they have drawn before. A runner that fails takes
+/// no part any more, and its error is the answer.
 pub(super) fn run(
     runners: &mut [Runner<'_>],
     camera: &Camera,
