@@ -32,7 +32,7 @@ pub(super) fn of_sweep(folder: &Path, name: &str) -> Result<[PathBuf; 3]> {
         std::fs::create_dir(folder).map_err(|error| Error::Output {
             path: folder.to_owned(),
             what: error.to_string(),
-            remedy: "name a folder, in one that is there".into(),
+            remedy: "name a folder. The folder that it is in has to exist".into(),
             source: Some(error),
         })?;
     }
