@@ -1,14 +1,17 @@
 //! What an image of volumes on OpenGL may be off by because of where the rasteriser has the faces of their boxes.
 
-use onionskin::low_level::oracle::volumes::Ray;
+use glam::DVec2;
+use onionskin::low_level::oracle::{surfaces::Surfaces, volumes::Ray};
 use onionskin::{Frame, Scene, Volume};
+
+use super::sampled::{centres, places};
 
 /// What a pixel may be off by for the rasteriser's sake; infinite where it may see another box, at outlines.
 ///
 /// Where a box is entered and left is the depth of a face whose vertices stand on 1/256 of a pixel, up to half of that from
 /// where they are. So a crossing, and with it the samples behind it, may move by a third of what it differs three times as
 /// far aside; light gained or lost is no more than that length times the densities, where it is entered, where it is left,
-/// and in the samples between.
+/// and in the samples between. So it is where a surface lies elsewhere because of its triangle's shape, before it and behind.
 pub fn slack(scene: &Scene) -> Vec<f64> {
     let [width, height] = scene.size;
     let met = |pixel: u32, [right, up]: [u32; 2]| -> Vec<[f64; 2]> {
@@ -31,13 +34,39 @@ pub fn slack(scene: &Scene) -> Vec<f64> {
             .fold(0.0, f64::max)
     };
     let densities: f64 = scene.volumes.iter().map(points).sum();
+    let of_surfaces = moved_surfaces(scene);
     (0..width * height)
         .map(|pixel| {
             let middle = met(pixel, [0, 0]);
             let aside = [[0, 1], [1, 0], [1, 1]].map(|to| moved(&met(pixel, to), &middle));
-            densities * aside.into_iter().fold(0.0, f64::max)
+            let of_boxes = aside.into_iter().fold(0.0, f64::max);
+            densities * (of_boxes + 2.0 * of_surfaces[pixel as usize])
         })
         .collect()
+}
+
+/// By how much the surfaces of each pixel may lie elsewhere for a rasteriser, all together.
+fn moved_surfaces(scene: &Scene) -> Vec<f64> {
+    let [width, height] = scene.size;
+    let size = DVec2::new(f64::from(width), f64::from(height));
+    let surfaces = Surfaces::of(scene, scene.size);
+    let place = places(scene);
+    let mut moved = vec![0.0; (width * height) as usize];
+    let triangles = scene.meshes.iter().flat_map(|mesh| {
+        let all = 0..mesh.triangle_count();
+        all.map(|triangle| mesh.corners(triangle))
+    });
+    for (order, corners) in (0..).zip(triangles) {
+        // What is cut by the plane of the eye has no outline.
+        let [Some(a), Some(b), Some(c)] = corners.map(&place) else {
+            continue;
+        };
+        for [x, y] in centres([a, b, c], size) {
+            let at = surfaces.meeting([x, y], order);
+            moved[((height - 1 - y) * width + x) as usize] += at.error / (at.inverse * at.inverse);
+        }
+    }
+    moved
 }
 
 /// Where a ray is in the box of a volume; infinities where it is not.
