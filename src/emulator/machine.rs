@@ -2,9 +2,10 @@
 
 use std::collections::HashMap;
 
+use super::invocation::Inputs;
 use super::place::{Attached, Place, Plane, texel, write_masked};
 use super::record::{Draw, Fate, FragmentOutcome, Record};
-use super::shaders::{Inputs, twin};
+use super::shaders::twin;
 use super::state::State;
 use super::{color, depth};
 use crate::error::{Error, Result};
@@ -207,8 +208,8 @@ impl Emulator {
                 let shadow = |reference| self.state.compare_func.holds(reference, texel(0)[0]);
                 let inputs = Inputs {
                     fragment: surface.fragment,
-                    texel: &texel,
-                    shadow: &shadow,
+                    lookup: &texel,
+                    comparison: &shadow,
                 };
                 let mut place = Place::at(&self.planes, attached, pixel);
                 let before = place;

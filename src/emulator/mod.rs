@@ -9,7 +9,7 @@
 //! # The model
 //!
 //! A pixel is a list of [`Surface`]s in the order of submission. A draw sends its surfaces, one after the other,
-//! through the shader's twin (`shaders`) and then through the stages in GL's order (`stages`): stencil test, depth
+//! through the shader's twin (in `shaders`) and then through the stages in GL's order (`stages`): stencil test, depth
 //! test, occlusion count, blending, masks, writing. Pixels are independent of each other; only a query adds them up.
 //!
 //! Excludes: several samples per pixel, several color maps at once, scissors, dithering, logic ops, sRGB, and everything
@@ -17,6 +17,7 @@
 
 mod color;
 mod depth;
+mod invocation;
 mod lists;
 mod machine;
 mod place;

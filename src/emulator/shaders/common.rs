@@ -1,0 +1,5 @@
+//! The twins of what shaders include.
+
+pub(super) mod clip;
+pub(super) mod color;
+pub(super) mod layer;

@@ -1,0 +1,3 @@
+//! The twins of `glsl/verified/`.
+
+pub(super) mod surface;
