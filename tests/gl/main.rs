@@ -57,6 +57,7 @@ mod fused_lockstep;
 mod invariance;
 mod lists_lockstep;
 mod lockstep;
+mod lockstep_maps;
 mod machine;
 mod multi_layer_alpha_blending;
 mod own_shader;

@@ -1,5 +1,5 @@
 //! Two machines that perform every call at the same time: OpenGL and the emulated pixels, held against each other after
-//! each draw and each copy.
+//! each clear, each draw and each copy.
 
 use std::collections::HashMap;
 
@@ -38,13 +38,21 @@ pub struct LockStep<'m, 'c> {
 enum Contents {
     Depths(Vec<(f32, u8)>),
     Colors(Vec<[f32; 4]>),
+    Integers(Vec<[u32; 4]>),
 }
 
 impl Machine for LockStep<'_, '_> {
     fn perform(&mut self, call: &Call) -> Result<()> {
         self.gl.perform(call)?;
         self.emulator.perform(call)?;
-        if matches!(call, Call::Draw { .. } | Call::CopyImage { .. }) {
+        if matches!(
+            call,
+            Call::Draw { .. }
+                | Call::CopyImage { .. }
+                | Call::Clear { .. }
+                | Call::ClearFloats { .. }
+                | Call::ClearIntegers { .. }
+        ) {
             self.compare(call);
         }
         Ok(())
@@ -96,6 +104,8 @@ impl<'m, 'c> LockStep<'m, 'c> {
         for Watched { map, format } in self.watched.clone() {
             if format.has_depth() {
                 self.compare_depths(call, map, format);
+            } else if has_integers(format) {
+                self.compare_integers(call, map);
             } else {
                 self.compare_colors(call, map);
             }
@@ -158,10 +168,35 @@ impl<'m, 'c> LockStep<'m, 'c> {
             self.compared += 1;
         }
     }
+
+    fn compare_integers(&mut self, call: &Call, map: Map) {
+        let maps = both(map, self.gl.read_integers(map), self.emulator.integers(map));
+        let Some((gl, emulated)) = maps else {
+            return;
+        };
+        for &pixel in &self.pixels {
+            let is_held = |contents: &Contents| matches!(contents, Contents::Integers(all) if all[pixel] == gl[pixel]);
+            let is_new = emulated[pixel][..3] == [0; 3];
+            assert!(
+                gl[pixel] == emulated[pixel] || is_new && self.is_unwritten(map, is_held),
+                "{map} after {call} at pixel {pixel}: OpenGL has {:?}, the emulated pixel {:?}",
+                gl[pixel],
+                emulated[pixel]
+            );
+            self.compared += 1;
+        }
+    }
+}
+
+fn has_integers(format: Format) -> bool {
+    matches!(format, Format::R32Ui | Format::Rgba32Ui)
 }
 
 /// What OpenGL's map holds, or `None` before it is made.
 fn contents(gl: &GlMachine<'_>, Watched { map, format }: Watched) -> Option<Contents> {
+    if has_integers(format) {
+        return gl.read_integers(map).ok().map(Contents::Integers);
+    }
     if !format.has_depth() {
         return gl.read_colors(map).ok().map(Contents::Colors);
     }

@@ -2,6 +2,7 @@
 #![allow(dead_code, unreachable_pub)]
 
 pub mod a_buffer;
+pub mod both;
 pub mod bounds;
 pub mod carr_scenes;
 pub mod cast;

@@ -2,4 +2,6 @@
 
 pub(super) mod clip;
 pub(super) mod color;
+pub(super) mod dual;
+pub(super) mod ideal;
 pub(super) mod layer;

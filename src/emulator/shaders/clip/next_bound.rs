@@ -5,7 +5,7 @@ use crate::low_level::emulator::invocation::{Inputs, Kept, Outputs};
 
 pub(in super::super) fn main(i: &Inputs<'_>) -> Outputs {
     Some(Kept {
-        color: [0.0; 4],
         depth: Some(upper_bound(i)),
+        ..Kept::default()
     })
 }

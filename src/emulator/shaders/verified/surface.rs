@@ -1,9 +1,10 @@
 //! `verified/surface.frag`: a surface that nothing opaque hides.
 
+use super::is_hidden;
 use crate::low_level::emulator::invocation::{Inputs, Outputs, keep};
 
 pub(in super::super) fn main(i: &Inputs<'_>) -> Outputs {
-    if i.depth() >= i.texel(5)[0] {
+    if is_hidden(i) {
         return None;
     }
     keep(i.surface_color())
