@@ -4,7 +4,7 @@ use onionskin::low_level::emulator::{Emulator, Group, Surface};
 use onionskin::low_level::gl::{Geometry, GlMachine};
 use onionskin::low_level::methods::allocate_maps;
 use onionskin::low_level::papers::stage;
-use onionskin::low_level::steps::Resources;
+use onionskin::low_level::steps::{Map, Resources};
 use onionskin::{Context, Format, Scene};
 
 use super::changed::Change;
@@ -20,6 +20,10 @@ pub struct Both {
     pub defines: Vec<(&'static str, u32)>,
     /// As in [`LockStep`].
     pub color_bound: f32,
+    /// Maps that are not compared.
+    pub unwatched: Vec<Map>,
+    /// Orders in which OpenGL's triangles are uploaded, each by mesh and number, if not in that of submission.
+    pub orders: Vec<Vec<[u32; 2]>>,
     /// A changed word in one of OpenGL's shaders, to see whether it is noticed.
     pub change: Option<Change>,
 }
@@ -32,6 +36,8 @@ impl Both {
             formats: [Format::Rgba32F, Format::Depth32FStencil8],
             defines: Vec::new(),
             color_bound: 0.0,
+            unwatched: Vec::new(),
+            orders: Vec::new(),
             change: None,
         }
     }
@@ -50,6 +56,7 @@ impl Both {
         let [color, depth] = self.formats;
         let all = [&[&stage::RESOURCES], &self.resources[..]].concat();
         let maps = all.iter().flat_map(|resources| resources.maps);
+        let maps = maps.filter(|(map, _)| !self.unwatched.contains(map));
         maps.map(|(map, holds)| Watched {
             map: *map,
             format: holds.format(color, depth),
@@ -79,6 +86,10 @@ impl Both {
         emulator.set_planes([scene.camera.near, scene.camera.far]);
         emulator.set_defines(&self.defines);
         gl.set_defines(&self.defines);
+        if !self.orders.is_empty() {
+            let upload = Geometry::upload_in_orders(context, scene, scene.size, &self.orders);
+            gl.set_geometry(upload.unwrap());
+        }
         gl.begin_frame();
         let mut both = LockStep::new(
             &mut gl,

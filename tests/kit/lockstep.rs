@@ -6,7 +6,9 @@ use std::collections::HashMap;
 use onionskin::low_level::emulator::{Emulator, Group, Surface};
 use onionskin::low_level::gl::{GlMachine, capture};
 use onionskin::low_level::papers::stage;
-use onionskin::low_level::steps::{Call, Machine, Map, Query, Target, Variables, gl::*, run};
+use onionskin::low_level::steps::{
+    Call, Machine, Map, Query, Target, Variables, Workspace, gl::*, run,
+};
 use onionskin::{Format, Fragment, Result, Scene};
 
 /// What the two are compared in.
@@ -24,7 +26,7 @@ pub struct LockStep<'m, 'c> {
     pub watched: Vec<Watched>,
     /// Pixels without any surface need not agree: GL draws over the screen only where there are surfaces.
     pub pixels: Vec<usize>,
-    /// Largest difference of a color that counts as none: 0 for 32-bit floats.
+    /// Largest difference of a color that counts as none: 0 for 32-bit floats. It is relative to values over 1.
     pub color_bound: f32,
     /// Comparisons made.
     pub compared: usize,
@@ -62,6 +64,23 @@ impl Machine for LockStep<'_, '_> {
         let [gl, emulated] = [self.gl.samples(query)?, self.emulator.samples(query)?];
         assert_eq!(gl, emulated, "samples of {}", query.0);
         Ok(gl)
+    }
+}
+
+impl Workspace for LockStep<'_, '_> {
+    fn allocate(&mut self, map: Map, format: Format) -> Result<()> {
+        self.gl.allocate(map, format)?;
+        self.emulator.allocate(map, format)
+    }
+
+    fn framebuffer_with(
+        &mut self,
+        target: Target,
+        colors: &[Map],
+        depth: Option<Map>,
+    ) -> Result<()> {
+        self.gl.framebuffer_with(target, colors, depth)?;
+        self.emulator.framebuffer_with(target, colors, depth)
     }
 }
 
@@ -156,7 +175,7 @@ impl<'m, 'c> LockStep<'m, 'c> {
             let off = gl[pixel]
                 .iter()
                 .zip(emulated[pixel])
-                .map(|(a, b)| (a - b).abs());
+                .map(|(a, b)| (a - b).abs() / b.abs().max(1.0));
             // Of these an order in which what is not a number is the largest.
             let off = off.max_by(f32::total_cmp).unwrap();
             assert!(
