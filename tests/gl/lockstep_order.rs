@@ -21,7 +21,7 @@ use crate::kit::stack::Stack;
 use crate::lockstep::random_stack;
 
 /// Every triangle by mesh and number, the opaque ones first and the others shuffled.
-fn shuffled(scene: &Scene, seed: u64) -> Vec<[u32; 2]> {
+pub(crate) fn shuffled(scene: &Scene, seed: u64) -> Vec<[u32; 2]> {
     let triangles = scene.meshes.iter().zip(0..).flat_map(|(mesh, number)| {
         (0..mesh.triangles.len() as u32).map(move |triangle| (mesh.opaque, [number, triangle]))
     });
@@ -37,7 +37,7 @@ fn shuffled(scene: &Scene, seed: u64) -> Vec<[u32; 2]> {
 }
 
 /// The same by their places in the order of submission.
-fn places(scene: &Scene, order: &[[u32; 2]]) -> Vec<u32> {
+pub(crate) fn places(scene: &Scene, order: &[[u32; 2]]) -> Vec<u32> {
     let mut first = 0;
     let firsts = scene.meshes.iter().map(|mesh| {
         first += mesh.triangles.len() as u32;

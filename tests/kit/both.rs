@@ -103,6 +103,12 @@ impl Both {
     }
 }
 
+/// Every pixel's surfaces, as [`surfaces`] has them of a machine.
+pub fn surfaces_of(context: &Context, scene: &Scene) -> Vec<Vec<Surface>> {
+    let mut gl = super::lists::machine(context, scene);
+    surfaces(&mut gl, scene, stage::IMAGE_COLOR)
+}
+
 /// The pixels that have a transparent surface.
 pub fn transparent_pixels(pixels: &[Vec<Surface>]) -> Vec<usize> {
     let has_one = |pixel: &usize| {
@@ -112,7 +118,8 @@ pub fn transparent_pixels(pixels: &[Vec<Surface>]) -> Vec<usize> {
     (0..pixels.len()).filter(has_one).collect()
 }
 
-fn change_shader(gl: &mut GlMachine<'_>, [file, from, to]: Change) {
+/// Changes a word in a shader of OpenGL's.
+pub fn change_shader(gl: &mut GlMachine<'_>, [file, from, to]: Change) {
     let text = onionskin::low_level::gl::shader_file(file).expect("the file exists");
     assert_eq!(text.matches(from).count(), 1, "'{from}' in glsl/{file}");
     gl.set_shader_file(file, &text.replace(from, to)).unwrap();

@@ -18,6 +18,7 @@ pub mod figures;
 pub mod fog;
 pub mod fog_plans;
 pub mod fog_scenes;
+pub mod gl_lists;
 pub mod golden;
 pub mod host;
 pub mod lists;
