@@ -152,17 +152,84 @@ impl Program {
 
 #[cfg(test)]
 mod tests {
+    use std::collections::BTreeSet;
+    use std::fs;
     use std::path::Path;
 
     use super::*;
 
-    #[test]
-    fn every_twin_and_every_file_beside_it_has_a_shader_of_its_name() {
-        let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-        for (name, _) in TWINS {
-            assert!(root.join("glsl").join(format!("{name}.frag")).exists());
-            let twin = root.join("src/emulator/shaders").join(format!("{name}.rs"));
-            assert!(twin.exists(), "{name}");
+    /// Nothing that a method does by default is drawn with these: what looks at OpenGL itself, what the emulated pixel leaves
+    /// out, and the parts of programs that say what a surface's colour is.
+    const WITHOUT_TWINS: &[&str] = &["capture", "trap", "classic/", "invariance/", "surface/"];
+
+    fn root() -> &'static Path {
+        Path::new(env!("CARGO_MANIFEST_DIR"))
+    }
+
+    /// The fragment shaders in `glsl/`, by name.
+    fn shaders() -> BTreeSet<String> {
+        let folder = root().join("glsl");
+        let mut folders = vec![folder.clone()];
+        let mut found = BTreeSet::new();
+        while let Some(next) = folders.pop() {
+            for entry in fs::read_dir(next).unwrap() {
+                let path = entry.unwrap().path();
+                if path.is_dir() {
+                    folders.push(path);
+                } else if path
+                    .extension()
+                    .is_some_and(|extension| extension == "frag")
+                {
+                    let path = path.with_extension("");
+                    let name = path.strip_prefix(&folder).unwrap().to_str().unwrap();
+                    found.insert(name.replace('\\', "/"));
+                }
+            }
         }
+        found
+    }
+
+    /// A file of `glsl/` with all that it includes.
+    fn whole(file: &str) -> String {
+        let text = fs::read_to_string(root().join("glsl").join(file)).unwrap_or_default();
+        let includes = text
+            .lines()
+            .filter_map(|line| line.strip_prefix("#include \""));
+        let included = includes.map(|rest| whole(rest.trim_end_matches('"')));
+        let included: String = included.collect();
+        text + &included
+    }
+
+    #[test]
+    fn every_shader_of_a_method_has_a_twin_in_a_file_of_its_name() {
+        let mut shaders = shaders();
+        let is_left_out = |name: &String| WITHOUT_TWINS.iter().any(|out| name.starts_with(out));
+        shaders.retain(|name| name == "surface" || !is_left_out(name));
+        let twins: BTreeSet<_> = TWINS.iter().map(|(name, _)| (*name).to_owned()).collect();
+        assert_eq!(twins, shaders);
+        for name in twins {
+            let file = root()
+                .join("src/emulator/shaders")
+                .join(format!("{name}.rs"));
+            assert!(file.exists(), "{name}");
+        }
+    }
+
+    #[test]
+    fn twins_come_after_the_tests_where_their_shaders_ask_for_it() {
+        for (name, _) in TWINS {
+            let asks = whole(&format!("{name}.frag")).contains("layout(early_fragment_tests) in;");
+            assert_eq!(TESTED_EARLY.contains(name), asks, "{name}");
+        }
+    }
+
+    #[test]
+    fn a_define_that_is_missing_is_an_error_that_names_it() {
+        let program = program(Shader("weighted/accumulate")).unwrap();
+        let mut settings = Settings::new();
+        let error = program.expect_defines(&settings).unwrap_err();
+        assert!(error.to_string().contains("EQUATION"), "{error}");
+        settings.defines.insert("EQUATION", 7);
+        program.expect_defines(&settings).unwrap();
     }
 }
