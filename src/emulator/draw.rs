@@ -24,7 +24,7 @@ impl Emulator {
     pub(super) fn draw(&mut self, objects: Objects) -> Result<()> {
         let shader = self.program()?;
         let program = program(shader)?;
-        program.expect_defines(&self.settings)?;
+        program.expect_told(&self.settings)?;
         let attached = self.maps.attached()?;
         let goes_under = self.goes_under(&attached);
         for pixel in 0..self.pixels.len() {

@@ -4,11 +4,12 @@ use std::collections::HashMap;
 
 use super::maps::Maps;
 use super::record::Record;
-use super::settings::Settings;
+use super::settings::{PixelRay, Settings};
 use super::state::State;
 use super::surface::{Group, Surface};
 use crate::error::{Error, Result};
 use crate::fragment::Fragment;
+use crate::scene::Volume;
 use crate::steps::{Map, Query, Shader};
 
 /// Runs listings on pixels whose surfaces are given. Maps and framebuffers are made as on the GL machine.
@@ -103,8 +104,8 @@ impl Emulator {
     }
 
     /// Has transparent surfaces drawn in this order from now on, each given by its place in the order of submission, and
-    /// no others. With `None` all of them are drawn in the order of submission. Opaque surfaces are drawn in any case, and
-    /// before the others.
+    /// no others. With `None` all of them are drawn in the order of submission. Opaque surfaces and the boxes around volumes
+    /// are drawn in any case, and before the others.
     pub fn set_order(&mut self, order: Option<&[u32]>) {
         let Some(order) = order else {
             self.drawn = None;
@@ -112,7 +113,7 @@ impl Emulator {
         };
         let turns: HashMap<u32, usize> = order.iter().copied().zip(0..).collect();
         let turn = |surface: &Surface| match surface.group {
-            Group::Opaque => Some(None),
+            Group::Opaque | Group::Proxy => Some(None),
             _ => turns.get(&surface.fragment.order).copied().map(Some),
         };
         let in_order = |surfaces: &Vec<Surface>| {
@@ -135,6 +136,16 @@ impl Emulator {
     /// the view direction is then computed from its window-space depth.
     pub fn set_planes(&mut self, planes: [f64; 2]) {
         self.settings.planes = planes;
+    }
+
+    /// The scene's volumes, and each pixel's ray through them, for a Resolve Step that casts rays. Its planes are those of
+    /// [`set_planes`](Self::set_planes), and it samples in f64.
+    ///
+    /// # Panics
+    /// If there are not as many rays as pixels.
+    pub fn set_volumes(&mut self, volumes: Vec<Volume>, rays: Vec<PixelRay>) {
+        assert_eq!(rays.len(), self.pixels.len(), "one ray for each pixel");
+        (self.settings.volumes, self.settings.rays) = (volumes, rays);
     }
 
     /// The number of records that a fixed buffer has for each pixel. Without it there is room for all.

@@ -19,8 +19,10 @@
 //! pixels themselves.
 //!
 //! Excludes: several samples per pixel, scissors but for bands and parts of the screen, dithering, logic ops, sRGB, classic
-//! calls, uniforms, volumes while calls are performed, and everything before the fragment: depths and colours are given,
-//! not interpolated. A shader that asks how far a fragment is away has that computed from its depth.
+//! calls, the invariance experiment, uniforms, and everything before the fragment: depths and colours are given, not
+//! interpolated. A shader that asks how far a fragment is away has that computed from its depth. Rays through volumes are
+//! sampled in f64; early ray termination does not end them, and a Local Array that keeps the nearest fragments does not
+//! know of volumes whose boxes it has dropped.
 
 mod color;
 mod depth;
@@ -47,4 +49,5 @@ pub use lists::{
 pub use machine::Emulator;
 pub use pseudo::{AlgorithmRun, run_algorithm};
 pub use record::{Draw, Fate, FragmentOutcome, InList, Record};
+pub use settings::PixelRay;
 pub use surface::{Group, Surface};

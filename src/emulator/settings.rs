@@ -2,7 +2,19 @@
 
 use std::collections::HashMap;
 
+use glam::DVec3;
+
+use crate::scene::Volume;
 use crate::steps::Compare;
+
+/// The ray through a pixel.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PixelRay {
+    /// The eye, in the world.
+    pub origin: DVec3,
+    /// The vector along the ray for a distance of 1 along the view direction.
+    pub direction: DVec3,
+}
 
 #[derive(Clone, Debug)]
 pub(super) struct Settings {
@@ -14,6 +26,10 @@ pub(super) struct Settings {
     pub(super) layers: u32,
     /// The distances of the near and the far plane.
     pub(super) planes: [f64; 2],
+    /// The scene's volumes, by their numbers.
+    pub(super) volumes: Vec<Volume>,
+    /// Each pixel's ray, if there are volumes.
+    pub(super) rays: Vec<PixelRay>,
     /// The comparison of texture unit 0's shadow lookup.
     pub(super) compare_func: Compare,
 }
@@ -25,6 +41,8 @@ impl Settings {
             size: 0,
             layers: u32::MAX,
             planes: [1.0, f64::INFINITY],
+            volumes: Vec::new(),
+            rays: Vec::new(),
             compare_func: Compare::Lequal,
         }
     }

@@ -136,17 +136,28 @@ pub(super) fn program(Shader(shader): Shader) -> Result<Program> {
 
 impl Program {
     /// # Errors
-    /// If it has not been told a `#define` that it needs.
-    pub(super) fn expect_defines(&self, settings: &Settings) -> Result<()> {
+    /// If the machine has not been told a `#define` that the shader needs, or the rays that it casts.
+    pub(super) fn expect_told(&self, settings: &Settings) -> Result<()> {
         let needed = DEFINES.iter().filter(|(shader, _)| *shader == self.shader);
         let mut needed = needed.flat_map(|(_, names)| *names);
         let missing = needed.find(|name| !settings.defines.contains_key(**name));
-        missing.map_or(Ok(()), |name| {
-            Err(Error::out_of_order(
+        if let Some(name) = missing {
+            return Err(Error::out_of_order(
                 format!("the shader {} needs the define {name}", self.shader),
                 "give the machine the method's defines first: set_defines",
-            ))
-        })
+            ));
+        }
+        let casts_rays = settings
+            .defines
+            .get("VOLUMES")
+            .is_some_and(|&count| count > 0);
+        if casts_rays && settings.rays.is_empty() {
+            return Err(Error::out_of_order(
+                format!("the shader {} is to cast rays through volumes", self.shader),
+                "give the machine the volumes and the rays first: set_volumes",
+            ));
+        }
+        Ok(())
     }
 }
 
@@ -227,9 +238,9 @@ mod tests {
     fn a_define_that_is_missing_is_an_error_that_names_it() {
         let program = program(Shader("weighted/accumulate")).unwrap();
         let mut settings = Settings::new();
-        let error = program.expect_defines(&settings).unwrap_err();
+        let error = program.expect_told(&settings).unwrap_err();
         assert!(error.to_string().contains("EQUATION"), "{error}");
         settings.defines.insert("EQUATION", 7);
-        program.expect_defines(&settings).unwrap();
+        program.expect_told(&settings).unwrap();
     }
 }

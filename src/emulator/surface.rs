@@ -12,18 +12,22 @@ pub enum Group {
     Sorted,
     /// All other transparent geometry.
     Unsorted,
+    /// The boxes around volumes. A face's depth is clamped to 0..1, and its `order` is its id
+    /// ([`Source::id`](crate::fragment::Source::id)).
+    Proxy,
 }
 
 impl Group {
     /// Whether a draw of these objects draws this group. The quad that covers the screen belongs to no group.
     pub(super) fn is_among(self, objects: Objects) -> bool {
         match objects {
-            Objects::Scene => true,
+            Objects::Scene => self != Self::Proxy,
             Objects::Opaque => self == Self::Opaque,
-            Objects::Transparent => self != Self::Opaque,
+            Objects::Transparent => matches!(self, Self::Sorted | Self::Unsorted),
             Objects::Sorted => self == Self::Sorted,
             Objects::Unsorted => self == Self::Unsorted,
-            Objects::Proxies | Objects::Screen => false,
+            Objects::Proxies => self == Self::Proxy,
+            Objects::Screen => false,
         }
     }
 }

@@ -1,7 +1,7 @@
 //! A-buffers on the emulated pixel and on OpenGL: after the Fill Step the same counts, and the same records in every list, to
 //! the bit; after the Resolve Step the same costs at every pixel, and the same colours.
 
-use onionskin::low_level::emulator::{Emulator, InList};
+use onionskin::low_level::emulator::{Emulator, InList, Surface};
 use onionskin::low_level::methods::allocate_maps;
 use onionskin::low_level::papers::lindholm_2015 as paper;
 use onionskin::low_level::papers::stage;
@@ -20,19 +20,25 @@ use crate::lockstep::random_stack;
 const COMPOSITED: f32 = (10.0 * 3.0 + 2.0) / 16_777_216.0;
 
 /// The emulated A-buffer, as the method makes it.
-struct Emulated {
-    emulator: Emulator,
+pub(crate) struct Emulated {
+    pub(crate) emulator: Emulator,
     options: ABufferOptions,
     ordered: bool,
+    has_volumes: bool,
 }
 
 impl Emulated {
-    fn new(context: &Context, scene: &Scene, options: ABufferOptions) -> Self {
+    /// Of pixels with these surfaces.
+    pub(crate) fn new(
+        context: &Context,
+        scene: &Scene,
+        options: ABufferOptions,
+        pixels: Vec<Vec<Surface>>,
+    ) -> Self {
         const MAPS: Resources = Resources {
             framebuffers: &[],
             ..paper::FILLING
         };
-        let pixels = surfaces_of(context, scene);
         let mut emulator = Emulator::new(pixels).watching_all();
         let resources = [&stage::RESOURCES, &MAPS, &paper::RESOLVING];
         let (color, depth) = (Format::Rgba32F, Format::Depth32FStencil8);
@@ -51,7 +57,9 @@ impl Emulated {
         emulator
             .framebuffer_with(paper::FILL, counters, depth)
             .unwrap();
-        emulator.set_defines(&defines(&options));
+        let mut defines = defines(&options);
+        defines.push(("VOLUMES", scene.volumes.len() as u32));
+        emulator.set_defines(&defines);
         if let Some(layers) = options.fixed_layers {
             emulator.set_layers(layers);
         }
@@ -69,10 +77,11 @@ impl Emulated {
             emulator,
             options,
             ordered,
+            has_volumes: !scene.volumes.is_empty(),
         }
     }
 
-    fn fill(&mut self) {
+    pub(crate) fn fill(&mut self) {
         let options = &self.options;
         let filling = match (options.pp_ao, options.reading) {
             (true, Reading::Literal) => &paper::FILL_FOR_PP_AO,
@@ -90,6 +99,9 @@ impl Emulated {
         if self.ordered {
             amendments.push(paper::ORDERED);
         }
+        if self.has_volumes {
+            amendments.insert(0, paper::PROXIES);
+        }
         for (listing, amendments) in [
             (&stage::OPAQUE_FIRST, &[][..]),
             (&paper::CLEAR_COST, &[]),
@@ -99,7 +111,7 @@ impl Emulated {
         }
     }
 
-    fn resolve(&mut self) {
+    pub(crate) fn resolve(&mut self) {
         let options = &self.options;
         let size = match options.pp_dp {
             true => options.peel,
@@ -116,11 +128,15 @@ impl Emulated {
             true => (&paper::PP_AO, &masking[..]),
             false => (&paper::RESOLVE, &[][..]),
         };
+        if self.has_volumes {
+            let nothing = Variables::new();
+            run(&paper::OPAQUE_ENDS_RAYS, &[], nothing, &mut self.emulator).unwrap();
+        }
         run(listing, amendments, variables, &mut self.emulator).unwrap();
     }
 }
 
-/// As the method has them.
+/// As the method has them, but for volumes.
 fn defines(options: &ABufferOptions) -> Vec<(&'static str, u32)> {
     let yes = u32::from;
     let printed = options.pp_dp && options.reading != Reading::Amended;
@@ -161,8 +177,9 @@ fn compare(
 ) -> [usize; 2] {
     let renderer = Renderer::new(context, scene.size[0], scene.size[1]).unwrap();
     let left = left(&mut renderer.with_given_planes(), scene, options, change);
-    let mut emulated = Emulated::new(context, scene, options);
-    let pixels = transparent_pixels(&surfaces_of(context, scene));
+    let surfaces = surfaces_of(context, scene);
+    let pixels = transparent_pixels(&surfaces);
+    let mut emulated = Emulated::new(context, scene, options, surfaces);
     emulated.fill();
     let mut counts = [0; 2];
     for &pixel in &pixels {
@@ -191,7 +208,12 @@ fn compare(
 }
 
 /// Also that what happened to each fragment is what is in the list.
-fn compare_lists(emulated: &Emulated, left: &Left, pixel: usize, counts: &mut [usize; 2]) {
+pub(crate) fn compare_lists(
+    emulated: &Emulated,
+    left: &Left,
+    pixel: usize,
+    counts: &mut [usize; 2],
+) {
     let list = emulated.emulator.list(pixel);
     let on_gl = left.list(pixel);
     let same = |list: &[Fragment]| list.iter().map(bits).collect::<Vec<_>>();
@@ -200,8 +222,8 @@ fn compare_lists(emulated: &Emulated, left: &Left, pixel: usize, counts: &mut [u
         "the list of pixel {pixel} is {on_gl:?} on OpenGL and {list:?} on the emulated pixel"
     );
     let draws = &emulated.emulator.records()[pixel].draws;
-    let fates = &draws.last().expect("the fill").fates;
-    let in_list: Vec<_> = fates.iter().filter_map(|fate| fate.list).collect();
+    let fates = draws.iter().flat_map(|draw| &draw.fates);
+    let in_list: Vec<_> = fates.filter_map(|fate| fate.list).collect();
     let stored = (0..list.len() as u32).map(InList::Stored);
     let lost = in_list.len() - list.len();
     let lost_ones = std::iter::repeat_n(InList::NoRoom, lost);

@@ -63,6 +63,7 @@ mod lockstep_lists;
 mod lockstep_maps;
 mod lockstep_marked;
 mod lockstep_order;
+mod lockstep_volumes;
 mod machine;
 mod multi_layer_alpha_blending;
 mod own_shader;

@@ -12,3 +12,4 @@ mod resolve_pixel;
 pub(super) mod resolve_segment;
 pub(super) mod resolve_segment_or_rest;
 mod segment;
+mod volume_ray;
