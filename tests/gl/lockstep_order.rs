@@ -13,7 +13,7 @@ use onionskin::low_level::papers::stage;
 use onionskin::low_level::steps::{Dialect, Listing, Machine, Reason, Variables, gl::*, run};
 use onionskin::{Camera, Context, Scene, steps};
 
-use crate::kit::both::{Both, blending_bound, parting};
+use crate::kit::both::{Both, parting};
 use crate::kit::chance::Chance;
 use crate::kit::changed::Change;
 use crate::kit::lockstep::LockStep;
@@ -66,7 +66,7 @@ const PAINTER: Listing = Listing {
 
 fn painter(orders: Vec<Vec<[u32; 2]>>) -> Both {
     Both {
-        color_bound: blending_bound(),
+        color_bound: 0.0,
         orders,
         ..Both::with(&[])
     }
@@ -143,7 +143,7 @@ fn ten_thousand_sequences_by_the_verified_painter() {
 fn verified(scene: &Scene, seed: u64) -> Both {
     let has_opaque = scene.meshes.iter().any(|mesh| mesh.opaque);
     Both {
-        color_bound: blending_bound(),
+        color_bound: 0.0,
         orders: vec![shuffled(scene, seed)],
         unwatched: vec![ANCHOR],
         ..Both::with(&[&RESOURCES])

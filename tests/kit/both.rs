@@ -133,8 +133,8 @@ pub fn parting(run: impl FnOnce()) -> String {
 }
 
 /// What colours up to 1 may differ by after ten blends, whatever the factors. The emulated pixel rounds two products and
-/// their sum, each by at most half a step of 2^-24; llvmpipe blends by complementary factors as `d + f (s - d)`, which is a
-/// difference, a product and a sum. Both are that far from what is exact.
+/// their sum, each by at most half a step of 2^-24. So does llvmpipe, unless both factors are the same: it then adds first,
+/// and multiplies once. Both are that far from what is exact.
 pub const fn blending_bound() -> f32 {
     10.0 * 3.0 / 16_777_216.0
 }
