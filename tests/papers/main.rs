@@ -22,6 +22,7 @@ mod emulator_exhaustive;
 mod emulator_figure_2;
 mod emulator_fused;
 mod emulator_lists;
+mod emulator_parts;
 mod emulator_section_6;
 mod emulator_sgix_shadow;
 mod emulator_verified_painter;
