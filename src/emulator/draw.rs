@@ -2,10 +2,11 @@
 
 use super::color::Texel;
 use super::invocation::{Appended, Inputs, Kept};
+use super::lists::{RayRun, Resolved};
 use super::machine::Emulator;
 use super::maps::Attached;
 use super::place::Place;
-use super::record::{Draw, Fate, FragmentOutcome, InList};
+use super::record::{Draw, Fate, FragmentOutcome, InList, Resolve};
 use super::shaders::{Program, program};
 use super::surface::{SCREEN, Surface};
 use crate::error::Result;
@@ -18,6 +19,7 @@ struct Sent {
     place: [Place; 2],
     images: Vec<(Option<Map>, [Texel; 2])>,
     list: Option<InList>,
+    resolved: Option<(Resolved, Option<RayRun>)>,
 }
 
 impl Emulator {
@@ -33,7 +35,7 @@ impl Emulator {
             }
             if objects == Objects::Screen {
                 if self.is_on_screen(pixel) {
-                    self.send(&program, &attached, pixel, SCREEN);
+                    self.draw_screen(&program, &attached, pixel);
                 }
                 continue;
             }
@@ -67,6 +69,19 @@ impl Emulator {
             }
         }
         Ok(())
+    }
+
+    fn draw_screen(&mut self, program: &Program, attached: &Attached, pixel: usize) {
+        let sent = self.send(program, attached, pixel, SCREEN);
+        let is_seen = sent.outcome == FragmentOutcome::Pass && self.watched[pixel];
+        if let Some((resolved, ray)) = sent.resolved.filter(|_| is_seen) {
+            self.histories[pixel].resolves.push(Resolve {
+                program: program.shader,
+                size: self.settings.size,
+                resolved,
+                ray,
+            });
+        }
     }
 
     /// Whether what passes goes under what is there, in the first color map.
@@ -126,6 +141,7 @@ impl Emulator {
             place: [before, place],
             images,
             list,
+            resolved: kept.resolved,
         }
     }
 

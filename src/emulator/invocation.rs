@@ -1,6 +1,7 @@
 //! An invocation of a shader: the values that it reads, and those that it leaves.
 
 use super::color::Texel;
+use super::lists::{RayRun, Resolved};
 use super::maps::Maps;
 use super::place::Place;
 use super::settings::Settings;
@@ -88,6 +89,8 @@ pub(super) struct Kept {
     pub(super) images: Vec<(u32, Texel)>,
     /// What it does to the pixel's list.
     pub(super) list: Option<Appended>,
+    /// How it resolved the pixel's list, and the ray that it has cast.
+    pub(super) resolved: Option<(Resolved, Option<RayRun>)>,
 }
 
 /// What a fragment does to its pixel's list.

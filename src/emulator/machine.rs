@@ -83,7 +83,10 @@ impl Emulator {
 
     /// The record of the watched pixel's surfaces so far. If several are watched, it is the first one's.
     pub fn record(&self) -> &Record {
-        const NOTHING: &Record = &Record { draws: Vec::new() };
+        const NOTHING: &Record = &Record {
+            draws: Vec::new(),
+            resolves: Vec::new(),
+        };
         let first = self.watched.iter().position(|watched| *watched);
         first.map_or(NOTHING, |pixel| &self.histories[pixel])
     }

@@ -43,11 +43,11 @@ mod surface;
 
 pub use color::Texel;
 pub use lists::{
-    ListRun, RayEvent, RayHappening, RayRun, RayScene, RayVolume, Resolved, run_on_lists,
+    ListRun, RayEvent, RayHappening, RayRun, RayScene, RayVolume, Resolved, Subpass, run_on_lists,
     run_on_rays,
 };
 pub use machine::Emulator;
 pub use pseudo::{AlgorithmRun, run_algorithm};
-pub use record::{Draw, Fate, FragmentOutcome, InList, Record};
+pub use record::{Draw, Fate, FragmentOutcome, InList, Record, Resolve};
 pub use settings::PixelRay;
 pub use surface::{Group, Surface};

@@ -3,6 +3,7 @@
 use std::fmt;
 
 use super::color::Texel;
+use super::lists::{RayRun, Resolved};
 use crate::steps::{Map, Objects, Target};
 
 /// The stage at which a fragment ended.
@@ -67,11 +68,26 @@ pub struct Draw {
     pub left: (u8, f32),
 }
 
-/// Every draw of surfaces at one pixel, in order.
+/// A draw that resolved the pixel's fragment list.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Resolve {
+    /// The program that drew.
+    pub program: &'static str,
+    /// The number of elements of its Local Array, which is also the complexity segment's (ppAO).
+    pub size: u32,
+    /// The result, subpass by subpass.
+    pub resolved: Resolved,
+    /// The ray that was cast between the fragments, event by event, if the scene has volumes.
+    pub ray: Option<RayRun>,
+}
+
+/// Every draw of surfaces at one pixel, and every draw that resolved its list, in order.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Record {
-    /// The draws.
+    /// The draws of surfaces.
     pub draws: Vec<Draw>,
+    /// The draws that resolved the list.
+    pub resolves: Vec<Resolve>,
 }
 
 impl Draw {

@@ -112,7 +112,7 @@ const LISTS: &[&str] = &["MANAGER", "FFB", "PPLL", "FLOAT_COLOR", "LAST_SEGMENT"
 
 /// A program.
 pub(super) struct Program {
-    shader: &'static str,
+    pub(super) shader: &'static str,
     pub(super) twin: Twin,
     pub(super) tests_early: bool,
 }

@@ -202,6 +202,9 @@ fn compare(
             left.costs[pixel],
             costs[pixel],
         );
+        let last = emulated.emulator.records()[pixel].resolves.last();
+        let walks = last.map_or(0, |last| last.resolved.passes.len());
+        assert_eq!(walks, costs[pixel][2] as usize, "walks of pixel {pixel}");
         let channels = left.image[pixel].iter().zip(image[pixel]);
         let off = channels.map(|(a, b)| (a - b).abs());
         assert!(

@@ -25,6 +25,7 @@ mod emulator_lists;
 mod emulator_parts;
 mod emulator_section_6;
 mod emulator_sgix_shadow;
+mod emulator_subpasses;
 mod emulator_verified_painter;
 mod errata_carr;
 mod errata_in_print;

@@ -5,7 +5,7 @@ use super::ray::Ray;
 use super::volume_ray;
 use crate::low_level::emulator::color::Texel;
 use crate::low_level::emulator::invocation::{Inputs, Kept, Outputs};
-use crate::low_level::emulator::lists::{Resolved, run_on_lists};
+use crate::low_level::emulator::lists::{RayRun, Resolved, run_on_lists};
 use crate::low_level::fragment::Fragment;
 use crate::low_level::papers::lindholm_2015::components::{
     KEEP_NEAREST, PP_DP, PP_DP_AMENDMENTS, STATIC_ARRAY, STOP,
@@ -16,7 +16,7 @@ pub(super) fn resolve_pixel(i: &Inputs<'_>) -> Outputs {
     let fits = list_length(i).min(n);
     let peels = i.is("PEEL_ALWAYS")
         || i.is("PP_DP") && n == i.define("LAST_SEGMENT") && list.len() > n as usize;
-    let (resolved, [r, g, b, alpha]) = match i.is("VOLUMES") {
+    let (resolved, ray, color) = match i.is("VOLUMES") {
         true => through_volumes(i, list, peels),
         false => through_surfaces(i, &list, peels),
     };
@@ -27,12 +27,16 @@ pub(super) fn resolve_pixel(i: &Inputs<'_>) -> Outputs {
         n << 16 | fits,
     ];
     Some(Kept {
-        colors: vec![Texel::Color([r, g, b, alpha]), Texel::Integers(cost)],
+        colors: vec![Texel::Color(color), Texel::Integers(cost)],
+        resolved: Some((resolved, ray)),
         ..Kept::default()
     })
 }
 
-fn through_surfaces(i: &Inputs<'_>, list: &[Fragment], peels: bool) -> (Resolved, [f32; 4]) {
+/// The result, the ray if there are volumes, and the colour.
+type Through = (Resolved, Option<RayRun>, [f32; 4]);
+
+fn through_surfaces(i: &Inputs<'_>, list: &[Fragment], peels: bool) -> Through {
     let mut resolved = resolved(i, list, peels);
     let mut ray = Ray::new(i);
     for order in &resolved.composited {
@@ -42,14 +46,24 @@ fn through_surfaces(i: &Inputs<'_>, list: &[Fragment], peels: bool) -> (Resolved
         let fragment = list.iter().find(|fragment| fragment.order == *order);
         fragment.into_iter().for_each(|it| ray.composite(it));
     }
-    resolved.composited.truncate(ray.composited as usize);
+    end_after(&mut resolved, ray.composited as usize);
     if peels && ray.ended() {
         // The subpass in which the ray ended was the last.
         resolved.subpasses = ray.composited.div_ceil(i.settings.size);
         resolved.records_read = resolved.subpasses * list.len() as u32;
+        resolved.passes.truncate(resolved.subpasses as usize);
     }
     let [r, g, b] = ray.color;
-    (resolved, [r, g, b, 1.0 - ray.transparency])
+    (resolved, None, [r, g, b, 1.0 - ray.transparency])
+}
+
+/// Ends after so many composited fragments.
+fn end_after(resolved: &mut Resolved, mut composited: usize) {
+    resolved.composited.truncate(composited);
+    for pass in &mut resolved.passes {
+        pass.composited.truncate(composited);
+        composited -= pass.composited.len();
+    }
 }
 
 fn resolved(i: &Inputs<'_>, list: &[Fragment], peels: bool) -> Resolved {
@@ -68,7 +82,7 @@ fn resolved(i: &Inputs<'_>, list: &[Fragment], peels: bool) -> Resolved {
     pixels.into_iter().next().unwrap_or_default()
 }
 
-fn through_volumes(i: &Inputs<'_>, mut list: Vec<Fragment>, peels: bool) -> (Resolved, [f32; 4]) {
+fn through_volumes(i: &Inputs<'_>, mut list: Vec<Fragment>, peels: bool) -> Through {
     let n = i.settings.size;
     let read = list.len() as u32;
     let peeled_by = peels.then(|| [n, most_subpasses(i, &list)]);
@@ -80,13 +94,14 @@ fn through_volumes(i: &Inputs<'_>, mut list: Vec<Fragment>, peels: bool) -> (Res
     }
     // It fails only without an element in the Local Array, and then resolves nothing.
     let Ok((mut resolved, run)) = volume_ray::cast(i, list, peeled_by) else {
-        return (Resolved::default(), [0.0; 4]);
+        return (Resolved::default(), None, [0.0; 4]);
     };
     if keeps_nearest(i) && !peels {
         resolved.records_read = read;
     }
     let [r, g, b] = run.light.map(|channel| channel as f32);
-    (resolved, [r, g, b, (1.0 - run.transparency) as f32])
+    let color = [r, g, b, (1.0 - run.transparency) as f32];
+    (resolved, Some(run), color)
 }
 
 fn most_subpasses(i: &Inputs<'_>, list: &[Fragment]) -> u32 {
