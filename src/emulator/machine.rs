@@ -107,23 +107,36 @@ impl Emulator {
     }
 
     /// Has transparent surfaces drawn in this order from now on, each given by its place in the order of submission, and
-    /// no others. With `None` all of them are drawn in the order of submission. Opaque surfaces and the boxes around volumes
-    /// are drawn in any case, and before the others.
+    /// no others. One that is named several times is drawn as often. With `None` all of them are drawn in the order of
+    /// submission. Opaque surfaces and the boxes around volumes are drawn in any case, and before the others.
     pub fn set_order(&mut self, order: Option<&[u32]>) {
         let Some(order) = order else {
             self.drawn = None;
             return;
         };
-        let turns: HashMap<u32, usize> = order.iter().copied().zip(0..).collect();
-        let turn = |surface: &Surface| match surface.group {
-            Group::Opaque | Group::Proxy => Some(None),
-            _ => turns.get(&surface.fragment.order).copied().map(Some),
+        let surfaces = self.pixels.iter().flatten();
+        let mut turns: HashMap<u32, Vec<usize>> = surfaces
+            .map(|surface| (surface.fragment.order, Vec::new()))
+            .collect();
+        for (turn, triangle) in order.iter().enumerate() {
+            if let Some(turns) = turns.get_mut(triangle) {
+                turns.push(turn);
+            }
+        }
+        // One that is always drawn has its turn before all others.
+        let turns_of = |surface: &Surface| match surface.group {
+            Group::Opaque | Group::Proxy => vec![None],
+            Group::Sorted | Group::Unsorted => {
+                let turns = turns.get(&surface.fragment.order).into_iter().flatten();
+                turns.copied().map(Some).collect()
+            }
         };
         let in_order = |surfaces: &Vec<Surface>| {
-            let mut drawn: Vec<_> = surfaces
-                .iter()
-                .filter_map(|surface| Some((turn(surface)?, *surface)))
-                .collect();
+            let with_turns = surfaces.iter().flat_map(|surface| {
+                let turns = turns_of(surface).into_iter();
+                turns.map(|turn| (turn, *surface))
+            });
+            let mut drawn: Vec<_> = with_turns.collect();
             drawn.sort_by_key(|(turn, _)| *turn);
             drawn.into_iter().map(|(_, surface)| surface).collect()
         };

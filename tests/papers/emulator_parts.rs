@@ -102,11 +102,17 @@ fn surfaces_are_drawn_in_the_order_that_was_said_and_no_others() {
         drawn(1),
         [(2, FragmentOutcome::DepthFail), (0, FragmentOutcome::Pass)]
     );
-    emulator.set_order(None);
-    perform(&mut emulator, &[draw(Objects::Transparent)]);
-    let fates = &emulator.records()[0].draws[2].fates;
-    let orders: Vec<_> = fates.iter().map(|fate| fate.order).collect();
-    assert_eq!(orders, [0, 1, 2]);
+    for (order, drawn) in [
+        (None, vec![0, 1, 2]),
+        (Some(&[1, 2, 1][..]), vec![1, 2, 1]),
+        (Some(&[]), vec![]),
+    ] {
+        emulator.set_order(order);
+        perform(&mut emulator, &[draw(Objects::Transparent)]);
+        let last = emulator.records()[0].draws.last().unwrap();
+        let orders: Vec<_> = last.fates.iter().map(|fate| fate.order).collect();
+        assert_eq!(orders, drawn);
+    }
 }
 
 #[test]
