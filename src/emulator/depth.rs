@@ -16,7 +16,7 @@ pub(super) fn stored(format: Format, z: f32) -> f32 {
     let z = if z.is_nan() { 1.0 } else { z.clamp(0.0, 1.0) };
     match format {
         // The product is rounded to f32 before it is rounded to an integer.
-        Format::Depth24Stencil8 => (z * MAX_24).round_ties_even(),
+        Format::Depth24Stencil8 | Format::Depth24 => (z * MAX_24).round_ties_even(),
         Format::Depth16 => (z * MAX_16).round_ties_even(),
         _ => z,
     }
@@ -29,7 +29,7 @@ pub(super) fn stored(format: Format, z: f32) -> f32 {
 /// stored, sampled and compared may be on the wrong side of itself: `papers::carr_2008` runs on 24 bits show it.
 pub(super) fn sampled_by_llvmpipe(format: Format, stored: f32) -> f32 {
     match format {
-        Format::Depth24Stencil8 => stored * (1.0 / MAX_24),
+        Format::Depth24Stencil8 | Format::Depth24 => stored * (1.0 / MAX_24),
         Format::Depth16 => stored * (1.0 / MAX_16),
         _ => stored,
     }

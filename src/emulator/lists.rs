@@ -3,8 +3,8 @@
 mod pixel;
 mod ray;
 
-pub use pixel::Resolved;
-use pixel::{Peel, Pixel};
+use pixel::{Peel, Pixel, orders};
+pub use pixel::{Resolved, Subpass};
 use ray::Ray;
 pub use ray::{RayEvent, RayHappening, RayRun, RayScene, RayVolume};
 
@@ -146,7 +146,7 @@ impl Run<'_> {
             ListLine::Segments(body) => self.segments(body, scope, here),
             ListLine::Fragments(body) => {
                 let pixel = self.pixel(here, line)?;
-                pixel.done.subpasses += 1;
+                pixel.begin_pass();
                 for &fragment in pixel.list {
                     self.pixel(here, line)?.done.records_read += 1;
                     let fragment = Some(fragment);
@@ -156,13 +156,15 @@ impl Run<'_> {
             }
             ListLine::Sorted(body) => {
                 let pixel = self.pixel(here, line)?;
-                pixel.done.subpasses += 1;
+                pixel.begin_pass();
                 pixel.done.records_read += pixel.list.len() as u32;
                 let fragments = pixel.sorted();
+                pixel.pass().array = orders(&fragments);
                 self.resolve_each(fragments, body, scope, here)
             }
             ListLine::Elements(body) => {
                 let fragments = self.peel(here, line)?.resolve(Taken::All);
+                self.pixel(here, line)?.pass().array = orders(&fragments);
                 self.resolve_each(fragments, body, scope, here)
             }
             ListLine::Repeat(body) => self.repeat(body, scope, here),
@@ -182,15 +184,18 @@ impl Run<'_> {
     /// Runs a statement that has no others inside.
     fn statement(&mut self, line: &ListLine, here: Here) -> Result<()> {
         match *line {
-            // There is nothing to do here. The list exists, the size chooses the program, no volume has a state, and a
-            // fragment that is not inserted is skipped.
+            // There is nothing to do here. The list exists, the size chooses the program, and no volume has a state.
             ListLine::Input
             | ListLine::Margin(_)
             | ListLine::Note(_)
             | ListLine::ActivateProgram
             | ListLine::SizeOfLocalArray
-            | ListLine::InitializeState
-            | ListLine::Skip => {}
+            | ListLine::InitializeState => {}
+            // A fragment that is not inserted is skipped.
+            ListLine::Skip => {
+                let fragment = here.fragment.ok_or_else(|| misplaced(line))?;
+                self.pixel(here, line)?.pass().skipped.push(fragment.order);
+            }
             ListLine::Count(counter) => self.pixel(here, line)?.count(counter),
             ListLine::Mark(mark) => self.pixel(here, line)?.mark(mark, here.size),
             ListLine::ResolveSegment => self.pixel(here, line)?.resolve_statically(here.size),
@@ -198,12 +203,17 @@ impl Run<'_> {
             ListLine::SetMin(start) => self.peel(here, line)?.start(start),
             ListLine::Insert(key) => {
                 let fragment = here.fragment.ok_or_else(|| misplaced(line))?;
-                self.peel(here, line)?.insert(fragment, key);
+                let dropped = self.peel(here, line)?.insert(fragment, key);
+                let pass = self.pixel(here, line)?.pass();
+                pass.dropped.extend(dropped.map(|fragment| fragment.order));
             }
             ListLine::ResolveBuffer(taken) => {
-                let taken = self.peel(here, line)?.resolve(taken);
-                let taken = taken.iter().map(|fragment| fragment.order);
-                self.pixel(here, line)?.done.composited.extend(taken);
+                let peel = self.peel(here, line)?;
+                let array = orders(&peel.buffer);
+                let taken = peel.resolve(taken);
+                let pixel = self.pixel(here, line)?;
+                pixel.pass().array = array;
+                pixel.composite(&taken);
             }
             ListLine::Store(key, element) => self.peel(here, line)?.store(key, element),
             ListLine::ClearBuffer => self.peel(here, line)?.buffer.clear(),
@@ -252,10 +262,7 @@ impl Run<'_> {
         here: Here,
     ) -> Result<()> {
         for fragment in fragments {
-            self.pixel(here, &ListLine::Blend)?
-                .done
-                .composited
-                .push(fragment.order);
+            self.pixel(here, &ListLine::Blend)?.composite(&[fragment]);
             let fragment = Some(fragment);
             self.lines(body, scope, Here { fragment, ..here })?;
         }

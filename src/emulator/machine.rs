@@ -1,92 +1,65 @@
-//! The machine: pixels, maps and framebuffers, and the effect of each call on them.
+//! The machine: pixels, their state and maps, and what it can be told and asked. `perform` has what each call does.
 
 use std::collections::HashMap;
 
-use super::place::{Attached, Place, Plane, texel, write_masked};
-use super::record::{Draw, Fate, FragmentOutcome, Record};
-use super::shaders::{Inputs, twin};
+use super::maps::Maps;
+use super::record::Record;
+use super::settings::{PixelRay, Settings};
 use super::state::State;
-use super::{color, depth};
+use super::surface::{Group, Surface};
 use crate::error::{Error, Result};
-use crate::fragment::{Fragment, Rgba};
-use crate::steps::{Call, Format, Machine, Map, Objects, Query, Shader, Target, Workspace};
-
-/// The group of objects to which a surface belongs.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Group {
-    /// Opaque geometry.
-    Opaque,
-    /// Transparent geometry whose triangles are exactly sorted.
-    Sorted,
-    /// All other transparent geometry.
-    Unsorted,
-}
-
-impl Group {
-    /// Whether a draw of these objects draws this group. The quad that covers the screen belongs to no group.
-    pub(super) fn is_among(self, objects: Objects) -> bool {
-        match objects {
-            Objects::Scene => true,
-            Objects::Opaque => self == Self::Opaque,
-            Objects::Transparent => self != Self::Opaque,
-            Objects::Sorted => self == Self::Sorted,
-            Objects::Unsorted => self == Self::Unsorted,
-            Objects::Proxies | Objects::Screen => false,
-        }
-    }
-}
-
-/// A surface at a pixel.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Surface {
-    /// Colour (straight alpha), depth, and place in the order of submission.
-    pub fragment: Fragment,
-    /// The group of objects to which it belongs.
-    pub group: Group,
-}
+use crate::fragment::Fragment;
+use crate::scene::Volume;
+use crate::steps::{Map, Query, Shader};
 
 /// Runs listings on pixels whose surfaces are given. Maps and framebuffers are made as on the GL machine.
 #[derive(Debug)]
 pub struct Emulator {
     /// Each pixel's surfaces in the order of submission.
-    pixels: Vec<Vec<Surface>>,
-    state: State,
-    planes: Vec<Plane>,
-    names: HashMap<Map, usize>,
-    targets: HashMap<Target, Attached>,
-    bound: [Option<usize>; 16],
-    active_texture: usize,
-    target: Option<Target>,
-    program: Option<Shader>,
-    queries: HashMap<Query, u64>,
-    counting: Option<Query>,
-    composited: Vec<Vec<u32>>,
-    watched: Option<usize>,
-    record: Record,
+    pub(super) pixels: Vec<Vec<Surface>>,
+    /// Each pixel's surfaces as they are drawn, if that is another order.
+    drawn: Option<Vec<Vec<Surface>>>,
+    /// Each pixel's column and row in the image, if they have been said.
+    places: Vec<[u32; 2]>,
+    band: Option<[u32; 2]>,
+    screen: Option<[u32; 4]>,
+    pub(super) state: State,
+    pub(super) maps: Maps,
+    pub(super) settings: Settings,
+    pub(super) program: Option<Shader>,
+    pub(super) queries: HashMap<Query, u64>,
+    pub(super) counting: Option<Query>,
+    /// Each pixel's records in the order of filling. Where a fill has stored fewer than the one before, old ones follow.
+    pub(super) records: Vec<Vec<Fragment>>,
+    /// The plane that counts them.
+    pub(super) counter: Option<usize>,
+    pub(super) composited: Vec<Vec<u32>>,
+    pub(super) watched: Vec<bool>,
+    pub(super) histories: Vec<Record>,
 }
-
-/// The window depth of the quad over the screen, whose vertices are at z = 0 in clip space.
-const SCREEN_DEPTH: f32 = 0.5;
 
 impl Emulator {
     /// A machine in GL's initial state for pixels with these surfaces. Each pixel's surfaces are in the order of
     /// submission.
     pub fn new(pixels: Vec<Vec<Surface>>) -> Self {
+        let count = pixels.len();
         Self {
-            composited: vec![Vec::new(); pixels.len()],
             pixels,
+            drawn: None,
+            places: Vec::new(),
+            band: None,
+            screen: None,
             state: State::INITIAL,
-            planes: Vec::new(),
-            names: HashMap::new(),
-            targets: HashMap::new(),
-            bound: [None; 16],
-            active_texture: 0,
-            target: None,
+            maps: Maps::new(count),
+            settings: Settings::new(),
             program: None,
             queries: HashMap::new(),
             counting: None,
-            watched: None,
-            record: Record::default(),
+            records: vec![Vec::new(); count],
+            counter: None,
+            composited: vec![Vec::new(); count],
+            watched: vec![false; count],
+            histories: vec![Record::default(); count],
         }
     }
 
@@ -97,19 +70,171 @@ impl Emulator {
     #[must_use]
     pub fn watching(mut self, pixel: usize) -> Self {
         assert!(pixel < self.pixels.len(), "there is no pixel {pixel}");
-        self.watched = Some(pixel);
+        self.watched[pixel] = true;
         self
     }
 
-    /// The record of the watched pixel's surfaces so far.
-    pub fn record(&self) -> &Record {
-        &self.record
+    /// The same, but it also records what happens to every surface of every pixel.
+    #[must_use]
+    pub fn watching_all(mut self) -> Self {
+        self.watched.fill(true);
+        self
     }
 
-    /// For each pixel, the surfaces that were composited front to back (blended under earlier ones), in their order of
-    /// compositing. A surface is given by its place in the order of submission.
+    /// The record of the watched pixel's surfaces so far. If several are watched, it is the first one's.
+    pub fn record(&self) -> &Record {
+        const NOTHING: &Record = &Record {
+            draws: Vec::new(),
+            resolves: Vec::new(),
+        };
+        let first = self.watched.iter().position(|watched| *watched);
+        first.map_or(NOTHING, |pixel| &self.histories[pixel])
+    }
+
+    /// Each pixel's record so far. It is empty if the pixel is not watched.
+    pub fn records(&self) -> &[Record] {
+        &self.histories
+    }
+
+    /// GL's initial state, with nothing bound, every surface drawn in the order of submission, everywhere. Maps,
+    /// framebuffers and records stay.
+    pub fn begin_frame(&mut self) {
+        self.state = State::INITIAL;
+        self.settings.compare_func = Settings::new().compare_func;
+        self.maps.unbind();
+        (self.program, self.counting) = (None, None);
+        (self.drawn, self.band, self.screen) = (None, None, None);
+    }
+
+    /// Has transparent surfaces drawn in this order from now on, each given by its place in the order of submission, and
+    /// no others. One that is named several times is drawn as often. With `None` all of them are drawn in the order of
+    /// submission. Opaque surfaces and the boxes around volumes are drawn in any case, and before the others.
+    pub fn set_order(&mut self, order: Option<&[u32]>) {
+        let Some(order) = order else {
+            self.drawn = None;
+            return;
+        };
+        let surfaces = self.pixels.iter().flatten();
+        let mut turns: HashMap<u32, Vec<usize>> = surfaces
+            .map(|surface| (surface.fragment.order, Vec::new()))
+            .collect();
+        for (turn, triangle) in order.iter().enumerate() {
+            if let Some(turns) = turns.get_mut(triangle) {
+                turns.push(turn);
+            }
+        }
+        // One that is always drawn has its turn before all others.
+        let turns_of = |surface: &Surface| match surface.group {
+            Group::Opaque | Group::Proxy => vec![None],
+            Group::Sorted | Group::Unsorted => {
+                let turns = turns.get(&surface.fragment.order).into_iter().flatten();
+                turns.copied().map(Some).collect()
+            }
+        };
+        let in_order = |surfaces: &Vec<Surface>| {
+            let with_turns = surfaces.iter().flat_map(|surface| {
+                let turns = turns_of(surface).into_iter();
+                turns.map(|turn| (turn, *surface))
+            });
+            let mut drawn: Vec<_> = with_turns.collect();
+            drawn.sort_by_key(|(turn, _)| *turn);
+            drawn.into_iter().map(|(_, surface)| surface).collect()
+        };
+        self.drawn = Some(self.pixels.iter().map(in_order).collect());
+    }
+
+    /// The `#define`s of programs that are used from now on, names and values.
+    pub fn set_defines(&mut self, defines: &[(&'static str, u32)]) {
+        self.settings.defines = defines.iter().copied().collect();
+    }
+
+    /// The distances of the near and the far plane, for shaders that ask how far a fragment is away. Its distance along
+    /// the view direction is then computed from its window-space depth.
+    pub fn set_planes(&mut self, planes: [f64; 2]) {
+        self.settings.planes = planes;
+    }
+
+    /// The scene's volumes, and each pixel's ray through them, for a Resolve Step that casts rays. Its planes are those of
+    /// [`set_planes`](Self::set_planes), and it samples in f64.
+    ///
+    /// # Panics
+    /// If there are not as many rays as pixels.
+    pub fn set_volumes(&mut self, volumes: Vec<Volume>, rays: Vec<PixelRay>) {
+        assert_eq!(rays.len(), self.pixels.len(), "one ray for each pixel");
+        (self.settings.volumes, self.settings.rays) = (volumes, rays);
+    }
+
+    /// The number of records that a fixed buffer has for each pixel. Without it there is room for all.
+    pub fn set_layers(&mut self, layers: u32) {
+        self.settings.layers = layers;
+    }
+
+    /// Each pixel's column and row in the image, from the lower left. They are needed where only a part of the image is
+    /// drawn.
+    ///
+    /// # Panics
+    /// If there are not as many as pixels.
+    pub fn set_places(&mut self, places: Vec<[u32; 2]>) {
+        assert_eq!(places.len(), self.pixels.len(), "one place for each pixel");
+        self.places = places;
+    }
+
+    /// Draws and clears only so many rows from the first one on, counted from the bottom, at pixels whose places have been
+    /// said. With `None`, all rows.
+    ///
+    /// This is for bands of the image. Bands of marked pixels' lists are no part of the emulated machine, which has those
+    /// lists at the pixels themselves.
+    pub fn set_band(&mut self, band: Option<[u32; 2]>) {
+        self.band = band;
+    }
+
+    /// Has draws over the screen cover these pixels only: x, y, width and height. With `None`, all.
+    pub fn set_screen(&mut self, screen: Option<[u32; 4]>) {
+        self.screen = screen;
+    }
+
+    /// The surfaces of a pixel as they are drawn.
+    pub(super) fn drawn(&self, pixel: usize) -> &[Surface] {
+        &self.drawn.as_ref().unwrap_or(&self.pixels)[pixel]
+    }
+
+    /// Whether the band has this pixel.
+    pub(super) fn is_in_band(&self, pixel: usize) -> bool {
+        match (self.band, self.places.get(pixel)) {
+            (Some([first, rows]), Some(&[_, y])) => y.wrapping_sub(first) < rows,
+            _ => true,
+        }
+    }
+
+    /// Whether draws over the screen cover this pixel.
+    pub(super) fn is_on_screen(&self, pixel: usize) -> bool {
+        match (self.screen, self.places.get(pixel)) {
+            (Some([left, low, width, height]), Some(&[x, y])) => {
+                x.wrapping_sub(left) < width && y.wrapping_sub(low) < height
+            }
+            _ => true,
+        }
+    }
+
+    /// For each pixel, the surfaces that were composited front to back (blended under earlier ones) into the first color
+    /// map, in their order of compositing. A surface is given by its place in the order of submission.
     pub fn composited(&self) -> &[Vec<u32>] {
         &self.composited
+    }
+
+    /// The fragment list of a pixel, as the last fill left it. Records are in the order of filling, which is also that of
+    /// fixed and dynamic buffers in memory. Linked lists are walked from the end. A record's colour is rounded as it is
+    /// stored, and its `order` is its id.
+    ///
+    /// # Panics
+    /// If there is no such pixel.
+    pub fn list(&self, pixel: usize) -> &[Fragment] {
+        let records = &self.records[pixel];
+        let counted = self.counter.map_or(0, |plane| {
+            let plane = &self.maps.planes[plane];
+            plane.texel(pixel).integers()[0] as usize
+        });
+        &records[..counted.min(records.len())]
     }
 
     /// A color map's texels.
@@ -117,7 +242,15 @@ impl Emulator {
     /// # Errors
     /// If there is no such map.
     pub fn colors(&self, map: Map) -> Result<&[[f32; 4]]> {
-        Ok(&self.planes[self.plane(map)?].colors)
+        Ok(&self.maps.get(map)?.colors)
+    }
+
+    /// The texels of a map of whole numbers.
+    ///
+    /// # Errors
+    /// If there is no such map.
+    pub fn integers(&self, map: Map) -> Result<&[[u32; 4]]> {
+        Ok(&self.maps.get(map)?.integers)
     }
 
     /// A depth map's depths as its format stores them, which for fixed point are raw integers.
@@ -125,7 +258,7 @@ impl Emulator {
     /// # Errors
     /// If there is no such map.
     pub fn depths(&self, map: Map) -> Result<&[f32]> {
-        Ok(&self.planes[self.plane(map)?].depths)
+        Ok(&self.maps.get(map)?.depths)
     }
 
     /// A depth map's stencil values.
@@ -133,253 +266,15 @@ impl Emulator {
     /// # Errors
     /// If there is no such map.
     pub fn stencils(&self, map: Map) -> Result<&[u8]> {
-        Ok(&self.planes[self.plane(map)?].stencils)
+        Ok(&self.maps.get(map)?.stencils)
     }
 
-    fn plane(&self, map: Map) -> Result<usize> {
-        self.names.get(&map).copied().ok_or_else(|| {
-            let allocated = self.names.keys().map(Map::to_string);
-            Error::unknown_map(map.to_string(), allocated)
-        })
-    }
-
-    fn attached(&self) -> Result<Attached> {
-        let target = self.target.ok_or_else(|| {
-            Error::out_of_order(
-                "the listing draws or clears before it chooses a framebuffer",
-                "glBindFramebuffer comes first",
-            )
-        })?;
-        Ok(self.targets.get(&target).copied().unwrap_or_default())
-    }
-
-    fn clear(&mut self, mask: crate::steps::Buffers) -> Result<()> {
-        let Attached {
-            color: color_plane,
-            depth: depth_plane,
-        } = self.attached()?;
-        let state = self.state;
-        if let (true, Some(plane)) = (mask.color, color_plane) {
-            let plane = &mut self.planes[plane];
-            let cleared = state.clear_color.map(|c| color::stored(plane.format, c));
-            for texel in &mut plane.colors {
-                write_masked(texel, cleared, state.color_mask);
-            }
-        }
-        let Some(plane) = depth_plane else {
-            return Ok(());
-        };
-        let plane = &mut self.planes[plane];
-        if mask.depth && state.depth_mask {
-            let cleared = depth::stored(plane.format, state.clear_depth as f32);
-            plane.depths.fill(cleared);
-        }
-        if mask.stencil && plane.format.has_stencil() {
-            let mask = state.stencil_mask as u8;
-            for stencil in &mut plane.stencils {
-                *stencil = (*stencil & !mask) | (state.clear_stencil as u8 & mask);
-            }
-        }
-        Ok(())
-    }
-
-    fn draw(&mut self, objects: Objects) -> Result<()> {
-        let program = self.program.ok_or_else(|| {
+    pub(super) fn program(&self) -> Result<Shader> {
+        self.program.ok_or_else(|| {
             Error::out_of_order(
                 "the listing draws before it chooses a program",
                 "glUseProgram comes first",
             )
-        })?;
-        let shader = twin(program)?;
-        let attached = self.attached()?;
-        for pixel in 0..self.pixels.len() {
-            let watched = self.watched == Some(pixel) && objects != Objects::Screen;
-            let mut fates = Vec::new();
-            let surfaces = match objects {
-                Objects::Screen => &[SCREEN],
-                _ => &self.pixels[pixel][..],
-            };
-            for surface in surfaces {
-                if objects != Objects::Screen && !surface.group.is_among(objects) {
-                    continue;
-                }
-                let texel = |unit: u32| texel(&self.planes, self.bound[unit as usize], pixel);
-                let shadow = |reference| self.state.compare_func.holds(reference, texel(0)[0]);
-                let inputs = Inputs {
-                    fragment: surface.fragment,
-                    texel: &texel,
-                    shadow: &shadow,
-                };
-                let mut place = Place::at(&self.planes, attached, pixel);
-                let before = place;
-                let outcome = match shader(&inputs) {
-                    None => FragmentOutcome::Discarded,
-                    Some(kept) => {
-                        let z = kept.depth.unwrap_or(surface.fragment.depth);
-                        place.send(&self.state, z, kept.color)
-                    }
-                };
-                place.write(&mut self.planes, attached, pixel);
-                if outcome == FragmentOutcome::Pass {
-                    if let Some(query) = self.counting {
-                        *self.queries.entry(query).or_default() += 1;
-                    }
-                    let goes_under = self.state.blend.is_some_and(|blend| blend.is_under())
-                        && self.state.color_mask != [false; 4]
-                        && attached.color.is_some();
-                    if goes_under && objects != Objects::Screen {
-                        self.composited[pixel].push(surface.fragment.order);
-                    }
-                }
-                if watched {
-                    fates.push(Fate {
-                        order: surface.fragment.order,
-                        depth: surface.fragment.depth,
-                        outcome,
-                        stencil: [before.stencil, place.stencil],
-                        stored_depth: [before.depth, place.depth],
-                        color: [before.color, place.color],
-                    });
-                }
-            }
-            if watched {
-                let place = Place::at(&self.planes, attached, pixel);
-                self.record.draws.push(Draw {
-                    program: program.0,
-                    fates,
-                    left: (place.stencil, place.depth),
-                });
-            }
-        }
-        Ok(())
-    }
-
-    fn allocate_plane(&mut self, format: Format) -> usize {
-        let count = self.pixels.len();
-        let (colors, depths) = match format.has_depth() {
-            true => (0, count),
-            false => (count, 0),
-        };
-        self.planes.push(Plane {
-            format,
-            colors: vec![[0.0; 4]; colors],
-            depths: vec![0.0; depths],
-            stencils: vec![0; depths],
-        });
-        self.planes.len() - 1
-    }
-
-    fn copy(&mut self, from: Map, to: Map) -> Result<()> {
-        let source = self.planes[self.plane(from)?].clone();
-        self.allocate(to, source.format)?;
-        let destination = self.plane(to)?;
-        self.planes[destination] = source;
-        Ok(())
-    }
-
-    fn target_mut(&mut self) -> Result<&mut Attached> {
-        self.attached()?;
-        let target = self.target.expect("attached() has seen it");
-        Ok(self.targets.entry(target).or_default())
-    }
-}
-
-/// The fragment of the quad over the screen, at one pixel.
-const SCREEN: Surface = Surface {
-    fragment: Fragment {
-        depth: SCREEN_DEPTH,
-        color: Rgba::new(0.0, 0.0, 0.0, 0.0),
-        order: 0,
-    },
-    group: Group::Unsorted,
-};
-
-impl Machine for Emulator {
-    fn perform(&mut self, call: &Call) -> Result<()> {
-        if self.state.set(call) {
-            return Ok(());
-        }
-        match *call {
-            Call::Clear { mask } => self.clear(mask)?,
-            Call::ActiveTexture { unit } if (unit as usize) < self.bound.len() => {
-                self.active_texture = unit as usize;
-            }
-            Call::BindTexture { texture } => {
-                self.bound[self.active_texture] = Some(self.plane(texture)?);
-            }
-            Call::UseProgram { program } => {
-                twin(program)?;
-                self.program = Some(program);
-            }
-            Call::BindFramebuffer { framebuffer } => self.target = Some(framebuffer),
-            Call::AttachColor { texture } => {
-                let plane = self.plane(texture)?;
-                self.target_mut()?.color = Some(plane);
-            }
-            Call::AttachDepth { texture } => {
-                let plane = self.plane(texture)?;
-                self.target_mut()?.depth = Some(plane);
-            }
-            Call::BeginQuery { query } => {
-                self.queries.insert(query, 0);
-                self.counting = Some(query);
-            }
-            Call::EndQuery { .. } => self.counting = None,
-            Call::CopyImage { from, to } => self.copy(from, to)?,
-            Call::Swap { a, b } => {
-                let (of_a, of_b) = (self.plane(a)?, self.plane(b)?);
-                self.names.insert(a, of_b);
-                self.names.insert(b, of_a);
-            }
-            Call::Draw { objects } => self.draw(objects)?,
-            _ => {
-                return Err(Error::CannotPerform {
-                    machine: "the emulated pixel",
-                    call: call.to_string(),
-                    why: "it leaves that out",
-                    remedy: "its module says what else it leaves out; a GlMachine performs every call",
-                });
-            }
-        }
-        Ok(())
-    }
-
-    fn samples(&mut self, query: Query) -> Result<u64> {
-        self.queries.get(&query).copied().ok_or_else(|| {
-            let what = format!("the listing asks the query '{}' before it is made", query.0);
-            Error::out_of_order(what, "glBeginQuery and glEndQuery come first")
         })
-    }
-}
-
-impl Workspace for Emulator {
-    fn allocate(&mut self, map: Map, format: Format) -> Result<()> {
-        let same = |&plane: &usize| self.planes[plane].format == format;
-        if self.names.get(&map).is_none_or(|plane| !same(plane)) {
-            let plane = self.allocate_plane(format);
-            self.names.insert(map, plane);
-        }
-        Ok(())
-    }
-
-    fn framebuffer_with(
-        &mut self,
-        target: Target,
-        colors: &[Map],
-        depth: Option<Map>,
-    ) -> Result<()> {
-        let color = match colors {
-            [] => None,
-            [color] => Some(self.plane(*color)?),
-            _ => {
-                return Err(Error::usage(
-                    "the emulated pixel draws into one color map at a time",
-                    "algorithms that need several run as pseudocode",
-                ));
-            }
-        };
-        let depth = depth.map(|map| self.plane(map)).transpose()?;
-        self.targets.insert(target, Attached { color, depth });
-        Ok(())
     }
 }

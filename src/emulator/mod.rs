@@ -1,7 +1,7 @@
 //! The emulated pixel: GL's operations on fragments, with one function per stage, run step by step.
 //!
 //! It runs the same [steps](mod@crate::steps) as the GL machine, on pixels whose fragments are given as lists. It can
-//! record what happens to every fragment of one pixel, as a table that a student can follow ([`Record`]). Algorithms in
+//! record what happens to every fragment of its pixels, as tables that a student can follow ([`Record`]). Algorithms in
 //! [pseudocode](crate::steps::pseudo) run on the same lists ([`run_algorithm`]). Algorithms on lists in memory, as
 //! A-buffers have them, run on the lists alone ([`run_on_lists`]), or with rays cast between the fragments
 //! ([`run_on_rays`]).
@@ -9,27 +9,45 @@
 //! # The model
 //!
 //! A pixel is a list of [`Surface`]s in the order of submission. A draw sends its surfaces, one after the other,
-//! through the shader's twin (`shaders`) and then through the stages in GL's order (`stages`): stencil test, depth
-//! test, occlusion count, blending, masks, writing. Pixels are independent of each other; only a query adds them up.
+//! through the shader's twin (in `shaders`) and then through the stages in GL's order (`stages`): stencil test, depth
+//! test, occlusion count, blending, masks, writing. Shaders that ask for early tests come after the tests. Pixels are
+//! independent of each other; only a query adds them up.
 //!
-//! Excludes: several samples per pixel, several color maps at once, scissors, dithering, logic ops, sRGB, and everything
-//! before the fragment: depths and colours are given, not interpolated.
+//! What pixels share on OpenGL is here each pixel's own: a pixel's fragment list is its records in their order
+//! ([`Emulator::list`]), its base offset is 0, and its nodes are numbered from 0. So counters and anchors say what OpenGL's
+//! say less the pixel's offset. Lists of marked pixels, which OpenGL has side by side in maps of their own, are at the
+//! pixels themselves.
+//!
+//! Excludes: several samples per pixel, scissors but for bands and parts of the screen, dithering, logic ops, sRGB, classic
+//! calls, the invariance experiment, uniforms, and everything before the fragment: depths and colours are given, not
+//! interpolated. A shader that asks how far a fragment is away has that computed from its depth. Rays through volumes are
+//! sampled in f64; early ray termination does not end them, and a Local Array that keeps the nearest fragments does not
+//! know of volumes whose boxes it has dropped.
 
 mod color;
 mod depth;
+mod draw;
+mod invocation;
 mod lists;
 mod machine;
+mod maps;
+mod perform;
 mod place;
 mod pseudo;
 mod record;
+mod settings;
 mod shaders;
 mod stages;
 mod state;
+mod surface;
 
+pub use color::Texel;
 pub use lists::{
-    ListRun, RayEvent, RayHappening, RayRun, RayScene, RayVolume, Resolved, run_on_lists,
+    ListRun, RayEvent, RayHappening, RayRun, RayScene, RayVolume, Resolved, Subpass, run_on_lists,
     run_on_rays,
 };
-pub use machine::{Emulator, Group, Surface};
+pub use machine::Emulator;
 pub use pseudo::{AlgorithmRun, run_algorithm};
-pub use record::{Draw, Fate, FragmentOutcome, Record};
+pub use record::{Draw, Fate, FragmentOutcome, InList, Record, Resolve};
+pub use settings::PixelRay;
+pub use surface::{Group, Surface};

@@ -1,6 +1,6 @@
 //! Running pseudocode on the emulated pixels.
 
-use super::machine::{Group, Surface};
+use super::surface::{Group, Surface};
 use crate::error::{Error, Result};
 use crate::fragment::Fragment;
 use crate::steps::pseudo::{Line, Pseudocode, Test, Value};

@@ -2,6 +2,10 @@
 
 use std::fmt;
 
+use super::color::Texel;
+use super::lists::{RayRun, Resolved};
+use crate::steps::{Map, Objects, Target};
+
 /// The stage at which a fragment ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum FragmentOutcome {
@@ -16,7 +20,7 @@ pub enum FragmentOutcome {
 }
 
 /// A fragment's way through the stages.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Fate {
     /// The fragment's place in the order of submission.
     pub order: u32,
@@ -28,8 +32,21 @@ pub struct Fate {
     pub stencil: [u8; 2],
     /// The pixel's stored depth before and after it (the raw integer, if the format has fixed point).
     pub stored_depth: [f32; 2],
-    /// The pixel's color before and after it, if the framebuffer has a color map.
-    pub color: [[f32; 4]; 2],
+    /// The pixel's texel before and after it, in each color map of the framebuffer, in the order of [`Draw::colors`].
+    pub colors: Vec<[Texel; 2]>,
+    /// The images into which its shader stored something, and their texels before and after it.
+    pub images: Vec<(Option<Map>, [Texel; 2])>,
+    /// What became of it in the pixel's fragment list, if its shader makes one.
+    pub list: Option<InList>,
+}
+
+/// What becomes of a fragment in its pixel's fragment list.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum InList {
+    /// It became the record of this number, from 0 in the order of filling.
+    Stored(u32),
+    /// The list had no room for it.
+    NoRoom,
 }
 
 /// One draw of a pixel's fragments.
@@ -37,17 +54,40 @@ pub struct Fate {
 pub struct Draw {
     /// The program that drew.
     pub program: &'static str,
-    /// The fragments, in the order of submission.
+    /// The objects that were drawn.
+    pub objects: Objects,
+    /// The framebuffer, if one was bound.
+    pub target: Option<Target>,
+    /// The framebuffer's color maps by the shaders' locations, each by the name that it had, if another has not taken it.
+    pub colors: Vec<Option<Map>>,
+    /// The framebuffer's depth map, likewise.
+    pub depth: Option<Map>,
+    /// The fragments, in the order in which they were drawn.
     pub fates: Vec<Fate>,
     /// The pixel's stencil value and stored depth at the end.
     pub left: (u8, f32),
 }
 
-/// Every draw of surfaces at one pixel, in order.
+/// A draw that resolved the pixel's fragment list.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Resolve {
+    /// The program that drew.
+    pub program: &'static str,
+    /// The number of elements of its Local Array, which is also the complexity segment's (ppAO).
+    pub size: u32,
+    /// The result, subpass by subpass.
+    pub resolved: Resolved,
+    /// The ray that was cast between the fragments, event by event, if the scene has volumes.
+    pub ray: Option<RayRun>,
+}
+
+/// Every draw of surfaces at one pixel, and every draw that resolved its list, in order.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Record {
-    /// The draws.
+    /// The draws of surfaces.
     pub draws: Vec<Draw>,
+    /// The draws that resolved the list.
+    pub resolves: Vec<Resolve>,
 }
 
 impl Draw {

@@ -1,203 +1,246 @@
-//! The twins of `glsl/`: a function for each fragment shader of a listing, under the name of the shader's file.
+//! The twins of `glsl/`: one file for each fragment shader of a listing, of the same name, whose `main` reads like the
+//! shader's. What shaders include is in `common`, likewise.
 
+mod a_buffer;
+mod alive;
+mod clip;
+mod common;
+mod complexity;
+mod coplanar;
+mod dual;
+mod ideal;
+mod layer;
+mod multi_layer;
+mod over;
+mod peel;
+mod surface;
+mod under;
+mod verified;
+mod weighted;
+
+use super::invocation::Twin;
+use super::settings::Settings;
 use crate::error::{Error, Result};
-use crate::fragment::Fragment;
 use crate::steps::Shader;
 
-/// The inputs of a shader: the fragment, and the bound maps at its pixel.
-pub(super) struct Inputs<'a> {
-    pub(super) fragment: Fragment,
-    /// `texelFetch` at this pixel, by texture unit.
-    pub(super) texel: &'a dyn Fn(u32) -> [f32; 4],
-    /// The shadow lookup of texture unit 0 with this reference.
-    pub(super) shadow: &'a dyn Fn(f32) -> bool,
+/// A table of twins by the names of their shaders' files.
+macro_rules! twins {
+    ($($($part:ident)/+,)*) => {
+        [$((twins!(@ $($part)/+), $($part)::+::main as Twin),)*]
+    };
+    (@ $first:ident $(/ $rest:ident)*) => {
+        concat!(stringify!($first) $(, "/", stringify!($rest))*)
+    };
 }
 
-/// The output of a shader, or `None` if it discards.
-pub(super) type Outputs = Option<Kept>;
+const TWINS: &[(&str, Twin)] = &twins! {
+    surface,
+    peel,
+    coplanar,
+    layer,
+    over,
+    under,
+    alive / first,
+    alive / later,
+    clip / open_open,
+    clip / open_closed,
+    clip / closed_open,
+    clip / closed_closed,
+    clip / at_bound,
+    clip / at_bound_as_printed,
+    clip / between_peels_as_printed,
+    clip / previous_depth,
+    clip / previous_depth_from_near,
+    clip / next_bound,
+    complexity,
+    dual / depths,
+    dual / peel,
+    dual / left,
+    dual / rest,
+    ideal / begin,
+    ideal / begin_as_printed,
+    ideal / begin_tight,
+    ideal / pass_1,
+    ideal / pass_1_as_printed,
+    ideal / pass_2,
+    ideal / pass_2_tight,
+    ideal / changed,
+    weighted / accumulate,
+    weighted / composite,
+    multi_layer / begin,
+    multi_layer / insert,
+    multi_layer / composite,
+    multi_layer / taken,
+    verified / surface,
+    verified / mark,
+    verified / count,
+    verified / place,
+    a_buffer / count,
+    a_buffer / begin,
+    a_buffer / fill,
+    a_buffer / fill_ordered,
+    a_buffer / resolve,
+    a_buffer / resolve_segment,
+    a_buffer / resolve_segment_or_rest,
+};
 
-/// A colour, and a depth if the shader replaces it.
-pub(super) struct Kept {
-    pub(super) color: [f32; 4],
-    pub(super) depth: Option<f32>,
-}
-
-type Twin = fn(&Inputs<'_>) -> Outputs;
-
-/// Every twin by its file's name.
-const TWINS: [(&str, Twin); 19] = [
-    ("surface", surface),
-    ("peel", peel),
-    ("coplanar", coplanar),
-    ("layer", layer),
-    ("over", over),
-    ("under", under),
-    ("alive/first", alive_first),
-    ("alive/later", alive_later),
-    ("clip/open_open", |i| {
-        clip(i, |low, z, high| low < z && z < high)
-    }),
-    ("clip/open_closed", |i| {
-        clip(i, |low, z, high| low < z && z <= high)
-    }),
-    ("clip/closed_open", |i| {
-        clip(i, |low, z, high| low <= z && z < high)
-    }),
-    ("clip/closed_closed", |i| {
-        clip(i, |low, z, high| low <= z && z <= high)
-    }),
-    ("clip/at_bound", at_bound),
-    ("clip/at_bound_as_printed", at_bound_as_printed),
-    ("clip/between_peels_as_printed", |i| {
-        clip(i, |low, z, high| low < z && z < high)
-    }),
-    ("clip/previous_depth", |i| {
-        previous_depth(i, |low, z| low < z)
-    }),
-    ("clip/previous_depth_from_near", |i| {
-        previous_depth(i, |low, z| low <= z)
-    }),
-    ("clip/next_bound", next_bound),
-    ("verified/surface", verified_surface),
+/// The shaders whose tests come first (`early_fragment_tests`), because they write buffers or images.
+const TESTED_EARLY: &[&str] = &[
+    "a_buffer/count",
+    "a_buffer/fill",
+    "a_buffer/fill_ordered",
+    "multi_layer/insert",
+    "verified/count",
+    "verified/mark",
 ];
 
-/// The twin of a shader.
-pub(super) fn twin(Shader(name): Shader) -> Result<Twin> {
-    TWINS
-        .iter()
-        .find(|(file, _)| *file == name)
-        .map(|(_, twin)| *twin)
-        .ok_or_else(|| Error::NoTwin {
-            shader: name.into(),
-            known: TWINS.map(|(file, _)| file).to_vec(),
-        })
+/// The `#define`s without which a shader is not compiled.
+const DEFINES: &[(&str, &[&str])] = &[
+    ("weighted/accumulate", &["EQUATION"]),
+    ("multi_layer/begin", &["NODES"]),
+    ("multi_layer/insert", &["NODES", "IMAGES"]),
+    ("multi_layer/composite", &["NODES"]),
+    ("verified/mark", &["OPAQUE"]),
+    ("a_buffer/fill", LISTS),
+    ("a_buffer/fill_ordered", LISTS),
+    ("a_buffer/resolve", LISTS),
+    ("a_buffer/resolve_segment", LISTS),
+    ("a_buffer/resolve_segment_or_rest", LISTS),
+];
+
+const LISTS: &[&str] = &["MANAGER", "FFB", "PPLL", "FLOAT_COLOR", "LAST_SEGMENT"];
+
+/// A program.
+pub(super) struct Program {
+    pub(super) shader: &'static str,
+    pub(super) twin: Twin,
+    pub(super) tests_early: bool,
 }
 
-fn keep(color: [f32; 4]) -> Outputs {
-    Some(Kept { color, depth: None })
-}
-
-fn premultiplied([r, g, b, a]: [f32; 4]) -> [f32; 4] {
-    [r * a, g * a, b * a, a]
-}
-
-// surface.frag
-fn surface(i: &Inputs<'_>) -> Outputs {
-    keep(i.fragment.color.to_array())
-}
-
-// peel.frag
-fn peel(i: &Inputs<'_>) -> Outputs {
-    if !(i.shadow)(i.fragment.depth) {
-        return None;
-    }
-    keep(i.fragment.color.to_array())
-}
-
-// coplanar.frag
-fn coplanar(i: &Inputs<'_>) -> Outputs {
-    if !(i.shadow)(i.fragment.depth) {
-        return None;
-    }
-    keep(premultiplied(i.fragment.color.to_array()))
-}
-
-// layer.frag
-fn layer(i: &Inputs<'_>) -> Outputs {
-    keep((i.texel)(2))
-}
-
-// common/layer.glsl
-fn layer_of(i: &Inputs<'_>) -> Option<[f32; 4]> {
-    let [opaque_depth, layer_depth] = [(i.texel)(1)[0], (i.texel)(3)[0]];
-    (layer_depth < opaque_depth).then(|| (i.texel)(2))
-}
-
-// over.frag
-fn over(i: &Inputs<'_>) -> Outputs {
-    keep(layer_of(i)?)
-}
-
-// under.frag
-fn under(i: &Inputs<'_>) -> Outputs {
-    keep(premultiplied(layer_of(i)?))
-}
-
-// alive/first.frag
-fn alive_first(i: &Inputs<'_>) -> Outputs {
-    let opaque_depth = (i.texel)(1)[0];
-    Some(Kept {
-        depth: Some(opaque_depth),
-        ..under(i)?
+/// The program of a shader.
+///
+/// # Errors
+/// If the shader has no twin.
+pub(super) fn program(Shader(shader): Shader) -> Result<Program> {
+    let found = TWINS.iter().find(|(file, _)| *file == shader);
+    let (_, twin) = found.ok_or_else(|| Error::NoTwin {
+        shader: shader.into(),
+        known: TWINS.iter().map(|(file, _)| *file).collect(),
+    })?;
+    Ok(Program {
+        shader,
+        twin: *twin,
+        tests_early: TESTED_EARLY.contains(&shader),
     })
 }
 
-// alive/later.frag
-fn alive_later(i: &Inputs<'_>) -> Outputs {
-    if (i.texel)(3)[0] == 0.0 {
-        return None;
+impl Program {
+    /// # Errors
+    /// If the machine has not been told a `#define` that the shader needs, or the rays that it casts.
+    pub(super) fn expect_told(&self, settings: &Settings) -> Result<()> {
+        let needed = DEFINES.iter().filter(|(shader, _)| *shader == self.shader);
+        let mut needed = needed.flat_map(|(_, names)| *names);
+        let missing = needed.find(|name| !settings.defines.contains_key(**name));
+        if let Some(name) = missing {
+            return Err(Error::out_of_order(
+                format!("the shader {} needs the define {name}", self.shader),
+                "give the machine the method's defines first: set_defines",
+            ));
+        }
+        let casts_rays = settings
+            .defines
+            .get("VOLUMES")
+            .is_some_and(|&count| count > 0);
+        if casts_rays && settings.rays.is_empty() {
+            return Err(Error::out_of_order(
+                format!("the shader {} is to cast rays through volumes", self.shader),
+                "give the machine the volumes and the rays first: set_volumes",
+            ));
+        }
+        Ok(())
     }
-    alive_first(i)
 }
 
-// verified/surface.frag
-fn verified_surface(i: &Inputs<'_>) -> Outputs {
-    if i.fragment.depth >= (i.texel)(5)[0] {
-        return None;
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+    use std::fs;
+    use std::path::Path;
+
+    use super::*;
+
+    /// Nothing that a method does by default is drawn with these: what looks at OpenGL itself, what the emulated pixel leaves
+    /// out, and the parts of programs that say what a surface's colour is.
+    const WITHOUT_TWINS: &[&str] = &["capture", "trap", "classic/", "invariance/", "surface/"];
+
+    fn root() -> &'static Path {
+        Path::new(env!("CARGO_MANIFEST_DIR"))
     }
-    keep(i.fragment.color.to_array())
-}
 
-// common/clip.glsl
-fn lower_bound(i: &Inputs<'_>) -> f32 {
-    (i.texel)(1)[0]
-}
-
-fn upper_bound(i: &Inputs<'_>) -> f32 {
-    let [upper, other_upper] = [2, 3].map(|unit| (i.texel)(unit)[0]);
-    upper.min(other_upper).min(opaque_depth(i))
-}
-
-fn opaque_depth(i: &Inputs<'_>) -> f32 {
-    (i.texel)(4)[0]
-}
-
-fn clip(i: &Inputs<'_>, inside: fn(f32, f32, f32) -> bool) -> Outputs {
-    if !inside(lower_bound(i), i.fragment.depth, upper_bound(i)) {
-        return None;
+    /// The fragment shaders in `glsl/`, by name.
+    fn shaders() -> BTreeSet<String> {
+        let folder = root().join("glsl");
+        let mut folders = vec![folder.clone()];
+        let mut found = BTreeSet::new();
+        while let Some(next) = folders.pop() {
+            for entry in fs::read_dir(next).unwrap() {
+                let path = entry.unwrap().path();
+                if path.is_dir() {
+                    folders.push(path);
+                } else if path
+                    .extension()
+                    .is_some_and(|extension| extension == "frag")
+                {
+                    let path = path.with_extension("");
+                    let name = path.strip_prefix(&folder).unwrap().to_str().unwrap();
+                    found.insert(name.replace('\\', "/"));
+                }
+            }
+        }
+        found
     }
-    keep(premultiplied(i.fragment.color.to_array()))
-}
 
-// clip/at_bound.frag
-fn at_bound(i: &Inputs<'_>) -> Outputs {
-    if i.fragment.depth >= opaque_depth(i) {
-        return None;
+    /// A file of `glsl/` with all that it includes.
+    fn whole(file: &str) -> String {
+        let text = fs::read_to_string(root().join("glsl").join(file)).unwrap_or_default();
+        let includes = text
+            .lines()
+            .filter_map(|line| line.strip_prefix("#include \""));
+        let included = includes.map(|rest| whole(rest.trim_end_matches('"')));
+        let included: String = included.collect();
+        text + &included
     }
-    at_bound_as_printed(i)
-}
 
-// clip/at_bound_as_printed.frag
-fn at_bound_as_printed(i: &Inputs<'_>) -> Outputs {
-    if i.fragment.depth != upper_bound(i) {
-        return None;
+    #[test]
+    fn every_shader_of_a_method_has_a_twin_in_a_file_of_its_name() {
+        let mut shaders = shaders();
+        let is_left_out = |name: &String| WITHOUT_TWINS.iter().any(|out| name.starts_with(out));
+        shaders.retain(|name| name == "surface" || !is_left_out(name));
+        let twins: BTreeSet<_> = TWINS.iter().map(|(name, _)| (*name).to_owned()).collect();
+        assert_eq!(twins, shaders);
+        for name in twins {
+            let file = root()
+                .join("src/emulator/shaders")
+                .join(format!("{name}.rs"));
+            assert!(file.exists(), "{name}");
+        }
     }
-    keep(premultiplied(i.fragment.color.to_array()))
-}
 
-// clip/previous_depth.frag, clip/previous_depth_from_near.frag
-fn previous_depth(i: &Inputs<'_>, behind: fn(f32, f32) -> bool) -> Outputs {
-    let z = i.fragment.depth;
-    if !(behind(lower_bound(i), z) && z < upper_bound(i)) {
-        return None;
+    #[test]
+    fn twins_come_after_the_tests_where_their_shaders_ask_for_it() {
+        for (name, _) in TWINS {
+            let asks = whole(&format!("{name}.frag")).contains("layout(early_fragment_tests) in;");
+            assert_eq!(TESTED_EARLY.contains(name), asks, "{name}");
+        }
     }
-    keep([1.0, 1.0, 1.0, z])
-}
 
-// clip/next_bound.frag
-fn next_bound(i: &Inputs<'_>) -> Outputs {
-    Some(Kept {
-        color: [0.0; 4],
-        depth: Some(upper_bound(i)),
-    })
+    #[test]
+    fn a_define_that_is_missing_is_an_error_that_names_it() {
+        let program = program(Shader("weighted/accumulate")).unwrap();
+        let mut settings = Settings::new();
+        let error = program.expect_told(&settings).unwrap_err();
+        assert!(error.to_string().contains("EQUATION"), "{error}");
+        settings.defines.insert("EQUATION", 7);
+        program.expect_told(&settings).unwrap();
+    }
 }

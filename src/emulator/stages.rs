@@ -1,6 +1,6 @@
 //! The stages after the fragment shader, in GL's order, one function each (OpenGL 4.5, section 17.3).
 
-use crate::steps::{BlendFactor, StencilOp};
+use crate::steps::{BlendEquation, BlendFactor, StencilOp};
 
 use super::state::{Blend, StencilTest};
 
@@ -29,8 +29,19 @@ pub(super) fn stencil_op(op: StencilOp, test: &StencilTest, write_mask: u32, sto
 }
 
 /// Blending: `source * factor + destination * factor` in f32. Color and alpha have separate factors. Each product and
-/// the sum are rounded.
+/// the sum are rounded. MIN and MAX take no factors.
 pub(super) fn blend(blend: &Blend, source: [f32; 4], destination: [f32; 4]) -> [f32; 4] {
+    let one_of_both = |choose: fn(f32, f32) -> f32| {
+        std::array::from_fn(|channel| choose(source[channel], destination[channel]))
+    };
+    match blend.equation {
+        BlendEquation::FuncAdd => sum(blend, source, destination),
+        BlendEquation::Min => one_of_both(f32::min),
+        BlendEquation::Max => one_of_both(f32::max),
+    }
+}
+
+fn sum(blend: &Blend, source: [f32; 4], destination: [f32; 4]) -> [f32; 4] {
     let factor = |factor: BlendFactor| match factor {
         BlendFactor::Zero => 0.0,
         BlendFactor::One => 1.0,
@@ -90,6 +101,7 @@ mod tests {
     #[test]
     fn under_keeps_what_is_in_front() {
         let under = Blend {
+            equation: BlendEquation::FuncAdd,
             src_rgb: BlendFactor::OneMinusDstAlpha,
             dst_rgb: BlendFactor::One,
             src_alpha: BlendFactor::OneMinusDstAlpha,
@@ -97,5 +109,21 @@ mod tests {
         };
         let image = blend(&under, [0.5, 0.0, 0.0, 0.5], [0.0, 0.25, 0.0, 0.5]);
         assert_eq!(image, [0.25, 0.25, 0.0, 0.75]);
+    }
+
+    #[test]
+    fn min_and_max_take_channels_one_by_one_and_no_factors() {
+        let by = |equation| {
+            let blend = Blend {
+                equation,
+                src_rgb: BlendFactor::Zero,
+                dst_rgb: BlendFactor::Zero,
+                src_alpha: BlendFactor::Zero,
+                dst_alpha: BlendFactor::Zero,
+            };
+            super::blend(&blend, [0.5, -2.0, 0.0, 1.0], [0.25, 0.0, 0.0, 2.0])
+        };
+        assert_eq!(by(BlendEquation::Min), [0.25, -2.0, 0.0, 1.0]);
+        assert_eq!(by(BlendEquation::Max), [0.5, 0.0, 0.0, 2.0]);
     }
 }

@@ -1,6 +1,9 @@
 //! The state that calls set and draws use, with GL's initial values.
 
-use crate::steps::{BlendFactor, Call, Capability, Compare, StencilOp};
+use crate::steps::{BlendEquation, BlendFactor, Call, Capability, Compare, Number, StencilOp};
+
+/// OpenGL promises so many color maps of a framebuffer.
+const MOST_COLORS: usize = 8;
 
 /// `glStencilFunc`
 #[derive(Clone, Copy, Debug)]
@@ -18,9 +21,10 @@ pub(super) struct StencilOps {
     pub(super) dppass: StencilOp,
 }
 
-/// `glBlendFuncSeparate`
+/// `glBlendEquation` and `glBlendFuncSeparate`
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Blend {
+    pub(super) equation: BlendEquation,
     pub(super) src_rgb: BlendFactor,
     pub(super) dst_rgb: BlendFactor,
     pub(super) src_alpha: BlendFactor,
@@ -28,12 +32,31 @@ pub(super) struct Blend {
 }
 
 impl Blend {
+    fn set_factors(&mut self, [src_rgb, dst_rgb, src_alpha, dst_alpha]: [BlendFactor; 4]) {
+        *self = Self {
+            equation: self.equation,
+            src_rgb,
+            dst_rgb,
+            src_alpha,
+            dst_alpha,
+        };
+    }
+
     /// Whether this is front-to-back compositing: `(ONE_MINUS_DST_ALPHA, ONE)` for color and alpha.
     pub(super) fn is_under(&self) -> bool {
         let source = [self.src_rgb, self.src_alpha];
         let destination = [self.dst_rgb, self.dst_alpha];
-        source == [BlendFactor::OneMinusDstAlpha; 2] && destination == [BlendFactor::One; 2]
+        self.equation == BlendEquation::FuncAdd
+            && source == [BlendFactor::OneMinusDstAlpha; 2]
+            && destination == [BlendFactor::One; 2]
     }
+}
+
+/// The state of one color map of the framebuffer.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Buffer {
+    pub(super) blend: Blend,
+    pub(super) color_mask: [bool; 4],
 }
 
 /// All state that is a value and not an object.
@@ -46,14 +69,12 @@ pub(super) struct State {
     stencil_func: StencilTest,
     pub(super) stencil_ops: StencilOps,
     pub(super) stencil_mask: u32,
-    pub(super) blend: Option<Blend>,
-    blend_func: Blend,
-    pub(super) color_mask: [bool; 4],
+    /// Whether colours are blended.
+    pub(super) blend: bool,
+    pub(super) buffers: [Buffer; MOST_COLORS],
     pub(super) clear_color: [f32; 4],
     pub(super) clear_depth: f64,
     pub(super) clear_stencil: i32,
-    /// The comparison of texture unit 0's shadow lookup.
-    pub(super) compare_func: Compare,
 }
 
 impl State {
@@ -75,18 +96,20 @@ impl State {
                 dppass: StencilOp::Keep,
             },
             stencil_mask: 0xFF,
-            blend: None,
-            blend_func: Blend {
-                src_rgb: BlendFactor::One,
-                dst_rgb: BlendFactor::Zero,
-                src_alpha: BlendFactor::One,
-                dst_alpha: BlendFactor::Zero,
-            },
-            color_mask: [true; 4],
+            blend: false,
+            buffers: [Buffer {
+                blend: Blend {
+                    equation: BlendEquation::FuncAdd,
+                    src_rgb: BlendFactor::One,
+                    dst_rgb: BlendFactor::Zero,
+                    src_alpha: BlendFactor::One,
+                    dst_alpha: BlendFactor::Zero,
+                },
+                color_mask: [true; 4],
+            }; MOST_COLORS],
             clear_color: [0.0; 4],
             clear_depth: 1.0,
             clear_stencil: 0,
-            compare_func: Compare::Lequal,
         }
     };
 
@@ -110,18 +133,29 @@ impl State {
                 green,
                 blue,
                 alpha,
+            } => {
+                let mask = [red, green, blue, alpha];
+                self.each_buffer(|buffer| buffer.color_mask = mask);
             }
-            | Call::ColorMaski {
-                buf: 0,
+            Call::ColorMaski {
+                buf,
                 red,
                 green,
                 blue,
                 alpha,
-            } => self.color_mask = [red, green, blue, alpha],
+            } => {
+                let mask = [red, green, blue, alpha];
+                return self.one_buffer(buf, |buffer| buffer.color_mask = mask);
+            }
             Call::StencilMask { mask } => self.stencil_mask = mask,
             Call::StencilFunc {
                 func,
                 reference,
+                mask,
+            }
+            | Call::StencilReference {
+                func,
+                reference: Number::Known(reference),
                 mask,
             } => {
                 self.stencil_func = StencilTest {
@@ -143,15 +177,24 @@ impl State {
                 };
             }
             Call::BlendFunc { sfactor, dfactor } => {
-                self.set_blend(sfactor, dfactor, sfactor, dfactor);
+                let factors = [sfactor, dfactor, sfactor, dfactor];
+                self.each_buffer(|buffer| buffer.blend.set_factors(factors));
             }
             Call::BlendFuncSeparate {
                 src_rgb,
                 dst_rgb,
                 src_alpha,
                 dst_alpha,
-            } => self.set_blend(src_rgb, dst_rgb, src_alpha, dst_alpha),
-            Call::SamplerCompareFunc { func } => self.compare_func = func,
+            } => {
+                let factors = [src_rgb, dst_rgb, src_alpha, dst_alpha];
+                self.each_buffer(|buffer| buffer.blend.set_factors(factors));
+            }
+            Call::BlendFunci { buf, src, dst } => {
+                return self.one_buffer(buf, |it| it.blend.set_factors([src, dst, src, dst]));
+            }
+            Call::BlendEquationi { buf, mode } => {
+                return self.one_buffer(buf, |buffer| buffer.blend.equation = mode);
+            }
             _ => return false,
         }
         true
@@ -161,25 +204,18 @@ impl State {
         match cap {
             Capability::DepthTest => self.depth_test = on,
             Capability::StencilTest => self.stencil_test = on.then_some(self.stencil_func),
-            Capability::Blend => self.blend = on.then_some(self.blend_func),
+            Capability::Blend => self.blend = on,
             // The depths of an emulated pixel are given, from 0 to 1.
             Capability::DepthClamp => {}
         }
     }
 
-    fn set_blend(
-        &mut self,
-        src_rgb: BlendFactor,
-        dst_rgb: BlendFactor,
-        src_alpha: BlendFactor,
-        dst_alpha: BlendFactor,
-    ) {
-        self.blend_func = Blend {
-            src_rgb,
-            dst_rgb,
-            src_alpha,
-            dst_alpha,
-        };
-        self.enable(Capability::Blend, self.blend.is_some());
+    fn each_buffer(&mut self, set: impl Fn(&mut Buffer)) {
+        self.buffers.iter_mut().for_each(set);
+    }
+
+    /// Returns false if there is no such buffer.
+    fn one_buffer(&mut self, number: u32, set: impl FnOnce(&mut Buffer)) -> bool {
+        self.buffers.get_mut(number as usize).map(set).is_some()
     }
 }

@@ -119,6 +119,8 @@ numbered! {
     BlendEquation {
         /// Their sum, each times its factor.
         FuncAdd = FUNC_ADD 0x8006,
+        /// The smaller of the two, channel by channel, without factors.
+        Min = MIN 0x8007,
         /// The larger of the two, channel by channel, without factors.
         Max = MAX 0x8008,
     }

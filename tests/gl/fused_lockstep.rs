@@ -20,7 +20,7 @@ use crate::kit::fog_scenes::fog_and_pane;
 const BOUND: f64 = 4.0 * distance(0.5);
 
 /// Panes in, before and behind overlapping volumes, the eye in one, in two or in none of them: every ray meets the same.
-fn whole_scenes() -> Vec<Scene> {
+pub(crate) fn whole_scenes() -> Vec<Scene> {
     let mut scenes = Vec::new();
     for (eye, alpha) in [(5.0, 0.4), (1.2, 0.4), (0.75, 0.4), (5.0, 1.0)] {
         let mut scene = fog_and_pane(eye, -0.4, alpha, 0.3);

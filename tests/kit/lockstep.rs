@@ -1,12 +1,14 @@
 //! Two machines that perform every call at the same time: OpenGL and the emulated pixels, held against each other after
-//! each draw and each copy.
+//! each clear, each draw and each copy.
 
 use std::collections::HashMap;
 
 use onionskin::low_level::emulator::{Emulator, Group, Surface};
 use onionskin::low_level::gl::{GlMachine, capture};
 use onionskin::low_level::papers::stage;
-use onionskin::low_level::steps::{Call, Machine, Map, Query, Target, Variables, gl::*, run};
+use onionskin::low_level::steps::{
+    Call, Machine, Map, Query, Target, Variables, Workspace, gl::*, run,
+};
 use onionskin::{Format, Fragment, Result, Scene};
 
 /// What the two are compared in.
@@ -24,7 +26,7 @@ pub struct LockStep<'m, 'c> {
     pub watched: Vec<Watched>,
     /// Pixels without any surface need not agree: GL draws over the screen only where there are surfaces.
     pub pixels: Vec<usize>,
-    /// Largest difference of a color that counts as none: 0 for 32-bit floats.
+    /// Largest difference of a color that counts as none: 0 for 32-bit floats. It is relative to values over 1.
     pub color_bound: f32,
     /// Comparisons made.
     pub compared: usize,
@@ -38,13 +40,21 @@ pub struct LockStep<'m, 'c> {
 enum Contents {
     Depths(Vec<(f32, u8)>),
     Colors(Vec<[f32; 4]>),
+    Integers(Vec<[u32; 4]>),
 }
 
 impl Machine for LockStep<'_, '_> {
     fn perform(&mut self, call: &Call) -> Result<()> {
         self.gl.perform(call)?;
         self.emulator.perform(call)?;
-        if matches!(call, Call::Draw { .. } | Call::CopyImage { .. }) {
+        if matches!(
+            call,
+            Call::Draw { .. }
+                | Call::CopyImage { .. }
+                | Call::Clear { .. }
+                | Call::ClearFloats { .. }
+                | Call::ClearIntegers { .. }
+        ) {
             self.compare(call);
         }
         Ok(())
@@ -54,6 +64,23 @@ impl Machine for LockStep<'_, '_> {
         let [gl, emulated] = [self.gl.samples(query)?, self.emulator.samples(query)?];
         assert_eq!(gl, emulated, "samples of {}", query.0);
         Ok(gl)
+    }
+}
+
+impl Workspace for LockStep<'_, '_> {
+    fn allocate(&mut self, map: Map, format: Format) -> Result<()> {
+        self.gl.allocate(map, format)?;
+        self.emulator.allocate(map, format)
+    }
+
+    fn framebuffer_with(
+        &mut self,
+        target: Target,
+        colors: &[Map],
+        depth: Option<Map>,
+    ) -> Result<()> {
+        self.gl.framebuffer_with(target, colors, depth)?;
+        self.emulator.framebuffer_with(target, colors, depth)
     }
 }
 
@@ -96,6 +123,8 @@ impl<'m, 'c> LockStep<'m, 'c> {
         for Watched { map, format } in self.watched.clone() {
             if format.has_depth() {
                 self.compare_depths(call, map, format);
+            } else if has_integers(format) {
+                self.compare_integers(call, map);
             } else {
                 self.compare_colors(call, map);
             }
@@ -146,7 +175,7 @@ impl<'m, 'c> LockStep<'m, 'c> {
             let off = gl[pixel]
                 .iter()
                 .zip(emulated[pixel])
-                .map(|(a, b)| (a - b).abs());
+                .map(|(a, b)| (a - b).abs() / b.abs().max(1.0));
             // Of these an order in which what is not a number is the largest.
             let off = off.max_by(f32::total_cmp).unwrap();
             assert!(
@@ -158,10 +187,35 @@ impl<'m, 'c> LockStep<'m, 'c> {
             self.compared += 1;
         }
     }
+
+    fn compare_integers(&mut self, call: &Call, map: Map) {
+        let maps = both(map, self.gl.read_integers(map), self.emulator.integers(map));
+        let Some((gl, emulated)) = maps else {
+            return;
+        };
+        for &pixel in &self.pixels {
+            let is_held = |contents: &Contents| matches!(contents, Contents::Integers(all) if all[pixel] == gl[pixel]);
+            let is_new = emulated[pixel][..3] == [0; 3];
+            assert!(
+                gl[pixel] == emulated[pixel] || is_new && self.is_unwritten(map, is_held),
+                "{map} after {call} at pixel {pixel}: OpenGL has {:?}, the emulated pixel {:?}",
+                gl[pixel],
+                emulated[pixel]
+            );
+            self.compared += 1;
+        }
+    }
+}
+
+fn has_integers(format: Format) -> bool {
+    matches!(format, Format::R32Ui | Format::Rgba32Ui)
 }
 
 /// What OpenGL's map holds, or `None` before it is made.
 fn contents(gl: &GlMachine<'_>, Watched { map, format }: Watched) -> Option<Contents> {
+    if has_integers(format) {
+        return gl.read_integers(map).ok().map(Contents::Integers);
+    }
     if !format.has_depth() {
         return gl.read_colors(map).ok().map(Contents::Colors);
     }

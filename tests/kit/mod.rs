@@ -2,6 +2,7 @@
 #![allow(dead_code, unreachable_pub)]
 
 pub mod a_buffer;
+pub mod both;
 pub mod bounds;
 pub mod carr_scenes;
 pub mod cast;
@@ -17,6 +18,7 @@ pub mod figures;
 pub mod fog;
 pub mod fog_plans;
 pub mod fog_scenes;
+pub mod gl_lists;
 pub mod golden;
 pub mod host;
 pub mod lists;

@@ -18,6 +18,22 @@ pub struct Resolved {
     /// The number of elements of Local Arrays that were reserved for the pixel, and how many of them held a fragment at
     /// some time.
     pub slots: [u32; 2],
+    /// What each walk did.
+    pub passes: Vec<Subpass>,
+}
+
+/// A walk through a pixel's list. Fragments are given by their places in the order of submission.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Subpass {
+    /// The fragments that were skipped, because an earlier walk resolved what lies before them.
+    pub skipped: Vec<u32>,
+    /// The fragments for which the Local Array had no room, in the order in which they were dropped. A static array is full
+    /// before it comes to the last ones.
+    pub dropped: Vec<u32>,
+    /// The Local Array's fragments at the end, nearest first.
+    pub array: Vec<u32>,
+    /// The fragments that were composited.
+    pub composited: Vec<u32>,
 }
 
 pub(super) struct Pixel<'a> {
@@ -86,16 +102,42 @@ impl<'a> Pixel<'a> {
     pub(super) fn resolve_statically(&mut self, size: u32) {
         self.begin_resolve(size);
         let fits = self.list.len().min(size as usize);
-        self.done.subpasses += 1;
+        self.begin_pass();
         self.done.records_read += fits as u32;
-        let array = sorted(&self.list[..fits]);
-        let array = array.iter().map(|fragment| fragment.order);
-        self.done.composited.extend(array);
+        let (array, rest) = self.list.split_at(fits);
+        let array = sorted(array);
+        self.pass().dropped = orders(rest);
+        self.pass().array = orders(&array);
+        self.composite(&array);
+    }
+
+    /// Begins a walk.
+    pub(super) fn begin_pass(&mut self) {
+        self.done.subpasses += 1;
+        self.done.passes.push(Subpass::default());
+    }
+
+    /// The walk that was begun last.
+    pub(super) fn pass(&mut self) -> &mut Subpass {
+        if self.done.passes.is_empty() {
+            self.done.passes.push(Subpass::default());
+        }
+        self.done.passes.last_mut().expect("one was pushed")
+    }
+
+    pub(super) fn composite(&mut self, fragments: &[Fragment]) {
+        let orders = orders(fragments);
+        self.done.composited.extend(&orders);
+        self.pass().composited.extend(orders);
     }
 
     pub(super) fn sorted(&self) -> Vec<Fragment> {
         sorted(self.list)
     }
+}
+
+pub(super) fn orders(fragments: &[Fragment]) -> Vec<u32> {
+    fragments.iter().map(|fragment| fragment.order).collect()
 }
 
 /// The order by depth, then by id.
@@ -124,17 +166,19 @@ impl Peel {
         });
     }
 
-    pub(super) fn insert(&mut self, f: Fragment, key: Key) {
+    /// Returns the element that this drops.
+    pub(super) fn insert(&mut self, f: Fragment, key: Key) -> Option<Fragment> {
         let before = |other: &Fragment| {
             f.depth < other.depth
                 || (key == Key::DepthAndId && f.depth == other.depth && f.order < other.order)
         };
         let at = self.buffer.iter().position(before);
         self.buffer.insert(at.unwrap_or(self.buffer.len()), f);
-        if self.buffer.len() > self.n {
-            self.buffer.pop();
-            self.dropped = true;
+        if self.buffer.len() <= self.n {
+            return None;
         }
+        self.dropped = true;
+        self.buffer.pop()
     }
 
     pub(super) fn resolve(&mut self, taken: Taken) -> Vec<Fragment> {

@@ -1,0 +1,15 @@
+//! The twins of `glsl/a_buffer/`.
+
+pub(super) mod begin;
+pub(super) mod count;
+pub(super) mod fill;
+pub(super) mod fill_ordered;
+mod list;
+mod ray;
+mod record;
+pub(super) mod resolve;
+mod resolve_pixel;
+pub(super) mod resolve_segment;
+pub(super) mod resolve_segment_or_rest;
+mod segment;
+mod volume_ray;

@@ -1,0 +1,4 @@
+//! The twins of `glsl/alive/`.
+
+pub(super) mod first;
+pub(super) mod later;

@@ -1,0 +1,9 @@
+//! `clip/between_peels_as_printed.frag`: the same range as `clip/open_open.frag`, as printed.
+
+use super::super::common::clip::{clipped, lower_bound, upper_bound};
+use crate::low_level::emulator::invocation::{Inputs, Outputs};
+
+pub(in super::super) fn main(i: &Inputs<'_>) -> Outputs {
+    let z = i.depth();
+    clipped(i, lower_bound(i) < z && z < upper_bound(i))
+}

@@ -1,0 +1,12 @@
+//! `ideal/begin_tight.frag`: Algorithm 2, lines 7 to 12: an unbroken run has ended at z2.
+
+use super::super::common::ideal::{Pixel, opaque_depth};
+use crate::low_level::emulator::invocation::{Inputs, Outputs};
+
+pub(in super::super) fn main(i: &Inputs<'_>) -> Outputs {
+    let mut pixel = Pixel::load(i);
+    let far = opaque_depth(i);
+    pixel.peel = [pixel.tight_bound(); 4];
+    pixel.depths = [far, far, pixel.depths[2], 0.0];
+    pixel.store(i)
+}

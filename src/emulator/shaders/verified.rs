@@ -1,0 +1,9 @@
+//! The twins of `glsl/verified/`.
+
+pub(super) mod count;
+mod hidden;
+pub(super) mod mark;
+pub(super) mod place;
+pub(super) mod surface;
+
+pub(super) use hidden::is_hidden;

@@ -1,0 +1,4 @@
+//! The twins of `glsl/weighted/`.
+
+pub(super) mod accumulate;
+pub(super) mod composite;
