@@ -32,6 +32,7 @@ type Declared = (Kind, u32, String);
 const BY_THE_MACHINE: [(&str, u32); 8] = [
     ("records", bindings::RECORDS),
     ("next", bindings::LINKS),
+    ("pieces", bindings::PIECES),
     ("transfer", bindings::TRANSFER),
     ("samples", bindings::FIRST_VOLUME),
     ("texture_2d", bindings::PLAIN_2D),

@@ -16,6 +16,7 @@
 //!
 //! Excludes: multisampling; volumes, unless they are drawn as slices.
 
+mod pieces;
 mod tiles;
 mod view_order;
 
@@ -26,14 +27,15 @@ use super::entry::{EXACT_BUT_NOT_SLICES, Entry, Memory, Ties, Volumes};
 use super::stats::VerifiedCounts;
 use super::technique::{Published, Technique};
 use crate::error::Result;
-use crate::gl::GlMachine;
+use crate::gl::{GlMachine, PIECES, Texels};
 use crate::papers::edition::{
-    COUNT_MARKED, COUNTS, FAILED, MARKS, NOTHING_OPAQUE, PLACE_RESOLVED, PROOF_DEPTH, RESOURCES,
+    BOUNDS, COUNT_MARKED, COUNTS, FAILED, IN_PIECES, MARKS, NOTHING_OPAQUE, PLACE_RESOLVED, PROOF_DEPTH, RESOURCES,
     VERIFIED_PAINTER,
 };
 use crate::scene::Scene;
 use crate::steps::{Machine, Variables, run};
 
+use pieces::Pieces;
 use tiles::{TILE, Tiles};
 use view_order::Triangles;
 
@@ -44,6 +46,7 @@ pub struct VerifiedPainter;
 struct Verified {
     setup: Setup,
     triangles: Triangles,
+    pieces: Option<Pieces>,
     lists: Option<MarkedLists>,
     tiles: Tiles,
 }
@@ -51,6 +54,7 @@ struct Verified {
 impl Algorithm for Verified {
     fn order(&mut self, scene: &Scene) -> DrawOrder {
         self.triangles = Triangles::of(scene);
+        self.pieces = Pieces::of(scene, &self.triangles);
         DrawOrder::Own
     }
 
@@ -74,13 +78,25 @@ impl Algorithm for Verified {
             ("TILES_ACROSS", self.tiles.across()),
         ]);
         MarkedLists::number(machine)?;
-        machine.submit_triangles(&self.triangles.back_to_front(&scene.camera))?;
         machine.clear_storage(MARKS)?;
-        let nothing_opaque: &[_] = match lists.has_opaque() {
-            true => &[],
-            false => &NOTHING_OPAQUE,
-        };
-        run(&VERIFIED_PAINTER, nothing_opaque, Variables::new(), machine)?;
+        let mut amendments = Vec::new();
+        if !lists.has_opaque() {
+            amendments.extend(NOTHING_OPAQUE);
+        }
+        match &self.pieces {
+            None => machine.submit_triangles(&self.triangles.back_to_front(&scene.camera))?,
+            Some(pieces) => {
+                let origin = machine.origin();
+                let (pieces, bounds) = pieces.back_to_front(&self.triangles, &scene.camera, origin);
+                machine.submit_triangles(&pieces)?;
+                let bytes: &[u8] = bytemuck::cast_slice(&bounds);
+                machine.allocate_storage(BOUNDS, bytes.len() as u64, Some(Texels::Rgba32F))?;
+                machine.write_storage(BOUNDS, bytes)?;
+                machine.bind_texels(PIECES, BOUNDS)?;
+                amendments.extend(IN_PIECES);
+            }
+        }
+        run(&VERIFIED_PAINTER, &amendments, Variables::new(), machine)?;
         let mut counts = VerifiedCounts {
             marked_pixels: machine.samples(FAILED)?,
             ..VerifiedCounts::default()
@@ -141,6 +157,7 @@ impl Technique for VerifiedPainter {
         Box::new(Verified {
             setup: *setup,
             triangles: Triangles::default(),
+            pieces: None,
             lists: None,
             tiles: Tiles::default(),
         })

@@ -131,6 +131,17 @@ pub const NOTHING_OPAQUE: [Amendment; 2] = [
     },
 ];
 
+/// To [`VERIFIED_PAINTER`], where triangles that cross planes are drawn in pieces.
+pub const IN_PIECES: [Amendment; 1] = [Amendment {
+    key: "in pieces",
+    kind: Kind::Edition,
+    place: "the verified pass",
+    printed: steps! { glUseProgram(BLENDED); },
+    amended: steps! { glUseProgram(BLENDED_IN_PIECES); },
+    why: "a triangle that crosses planes has no place among them, but its pieces have",
+    test: "triangles_that_cross_planes_are_drawn_in_pieces",
+}];
+
 /// The verified pass. The triangles come sorted back to front, as well as the CPU could.
 pub const BLEND_AND_PROVE: Listing = Listing {
     title: "Back to front, each fragment before all that were blended so far",
@@ -266,6 +277,8 @@ const BEHIND: Map = Map::named("behind");
 pub const MARKS: Storage = Storage("marks");
 /// How many fragments each of them has.
 pub const COUNTS: Storage = Storage("marked counts");
+/// From where and up to where the pieces of triangles reach.
+pub const BOUNDS: Storage = Storage("bounds of pieces");
 /// The pixels that failed.
 pub const FAILED: Query = Query("failed");
 
@@ -273,6 +286,7 @@ const PROOF: Target = Target("proof");
 const MARKED: Target = Target("marked");
 const UNSEEN: Target = Target("nothing but marks");
 const BLENDED: Shader = Shader("verified/surface");
+const BLENDED_IN_PIECES: Shader = Shader("verified/pieces");
 const MARKER: Shader = Shader("verified/mark");
 const COUNTER: Shader = Shader("verified/count");
 const PLACED: Shader = Shader("verified/place");
