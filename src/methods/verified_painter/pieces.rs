@@ -10,15 +10,13 @@
 
 use glam::{DVec3, Vec3};
 
-use super::view_order::{Triangles, counting_sort, threads};
+use super::view_order::{Sorted, Triangles, counting_sort, threads};
 use crate::scene::{Camera, Mesh, Scene};
 
 /// The most planes, of which each has a place between two slabs.
 const MOST_PLANES: usize = 1 << 14;
 /// More pieces than so many for each triangle of the scene are not worth their memory.
 const MOST_PIECES: usize = 4;
-/// A piece's bounds are read as texels of four floats.
-pub(super) type Bounds = [f32; 4];
 
 /// The transparent triangles of a scene with planes, in pieces, whatever the camera.
 #[derive(Debug)]
@@ -59,7 +57,12 @@ impl Pieces {
             [a.min(b).min(c), a.max(b).max(c)]
         };
         let mut planes = Vec::new();
-        for (triangle, _) in triangles.submitted.iter().zip(&sorted).filter(|(_, sorted)| **sorted) {
+        for (triangle, _) in triangles
+            .submitted
+            .iter()
+            .zip(&sorted)
+            .filter(|(_, sorted)| **sorted)
+        {
             let [low, high] = range(triangle);
             if high - low > noise {
                 return None;
@@ -97,7 +100,10 @@ impl Pieces {
             return;
         }
         let first = self.planes.partition_point(|plane| *plane <= low);
-        let last = self.planes.partition_point(|plane| *plane < high).max(first);
+        let last = self
+            .planes
+            .partition_point(|plane| *plane < high)
+            .max(first);
         for slab in first..=last {
             let from = match slab == first {
                 true => EVERYTHING[0],
@@ -125,7 +131,7 @@ impl Pieces {
         triangles: &Triangles,
         camera: &Camera,
         origin: DVec3,
-    ) -> (Vec<[u32; 3]>, Vec<Bounds>) {
+    ) -> Sorted {
         let eye = (camera.eye - triangles.origin).as_vec3().dot(self.normal);
         // The eye's slab is the last. Those behind it come first, the farthest of them first of all, then those before it.
         let last = 2 * self.planes.len();
@@ -147,13 +153,13 @@ impl Pieces {
             let [from, to] = self.bounds[number as usize];
             [from, to, 0.0, 0.0]
         });
-        (
-            order
+        Sorted {
+            triangles: order
                 .iter()
                 .map(|&number| self.triangles[number as usize])
                 .collect(),
-            std::iter::once(head).chain(bounds).collect(),
-        )
+            bounds: Some(std::iter::once(head).chain(bounds).collect()),
+        }
     }
 }
 
@@ -164,7 +170,11 @@ fn normal<'m>(meshes: impl Iterator<Item = &'m Mesh>) -> Option<DVec3> {
         for corners in &mesh.triangles {
             let [a, b, c] = corners.map(|corner| mesh.vertices[corner as usize].position);
             let normal = (b - a).cross(c - a);
-            sum += if normal.dot(sum) < 0.0 { -normal } else { normal };
+            sum += if normal.dot(sum) < 0.0 {
+                -normal
+            } else {
+                normal
+            };
         }
     }
     sum.try_normalize()

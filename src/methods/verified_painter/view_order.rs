@@ -38,14 +38,25 @@ const SAMPLE: usize = 1000;
 /// A thread with fewer triangles than this costs more than it saves.
 const LEAST: usize = 10_000;
 
+/// A piece's bounds, which are read as texels of four floats.
+pub(super) type Bounds = [f32; 4];
+
+/// Triangles as they are drawn.
+#[derive(Debug, Default)]
+pub(in crate::low_level::methods) struct Sorted {
+    pub(super) triangles: Vec<[u32; 3]>,
+    /// Of those that are drawn in pieces: what the shader is told, see [`pieces`](super::pieces).
+    pub(super) bounds: Option<Vec<Bounds>>,
+}
+
 /// The transparent triangles of a scene, whatever the camera.
 #[derive(Debug, Default)]
-pub(super) struct Triangles {
+pub(in crate::low_level::methods) struct Triangles {
     /// Each vertex relative to `origin`. The vertices are numbered through all transparent meshes.
     pub(super) positions: Vec<Vec3>,
     pub(super) origin: DVec3,
     /// In the order of submission.
-    pub(super) submitted: Vec<[u32; 3]>,
+    pub(in crate::low_level::methods) submitted: Vec<[u32; 3]>,
     steps: Steps,
 }
 
@@ -82,8 +93,11 @@ impl Triangles {
     }
 
     /// The triangles, the farthest centroid first.
-    pub(super) fn back_to_front(&self, camera: &Camera) -> Vec<[u32; 3]> {
-        self.sort(camera, &self.submitted, &self.submitted)
+    pub(super) fn back_to_front(&self, camera: &Camera) -> Sorted {
+        Sorted {
+            triangles: self.sort(camera, &self.submitted, &self.submitted),
+            bounds: None,
+        }
     }
 
     /// Items by their triangles, the one with the farthest centroid first.
@@ -178,14 +192,15 @@ pub(super) fn in_parts<T: Sync, U: Send>(
 ) -> Vec<U> {
     let part = items.len().div_ceil(threads(items.len())).max(1);
     scope(|scope| {
-        let parts = items
-            .chunks(part)
-            .map(|part| scope.spawn(|| function(part)));
-        let parts: Vec<_> = parts.collect();
-        let made = parts
-            .into_iter()
-            .map(|part| part.join().expect("it does not panic"));
-        made.flatten().collect()
+        let mut parts = items.chunks(part);
+        let first = parts.next().unwrap_or_default();
+        let others = parts.map(|part| scope.spawn(|| function(part)));
+        let others: Vec<_> = others.collect();
+        let mut made = function(first);
+        for other in others {
+            made.append(&mut other.join().expect("it does not panic"));
+        }
+        made
     })
 }
 
