@@ -65,6 +65,9 @@ uvec4 list_head(uint at) {
 vec4 list_color(uint at, uvec4 head) {
 #if FLOAT_COLOR
     return uintBitsToFloat(texelFetch(records, int(at * WORDS + 1u)));
+#elif FIXED_COLOR
+    uvec3 alpha = head.yzw >> 24;
+    return vec4(uvec4(head.yzw & 0xFFFFFFu, alpha.x | alpha.y << 8 | alpha.z << 16)) / LARGEST;
 #else
     return vec4(unpackHalf2x16(head.z), unpackHalf2x16(head.w));
 #endif

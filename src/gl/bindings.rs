@@ -7,6 +7,8 @@ use bytemuck::{Pod, Zeroable};
 pub const RECORDS: u32 = 3;
 /// The texture unit of a linked list's links.
 pub const LINKS: u32 = 4;
+/// The texture unit of the bounds of triangles' pieces.
+pub const PIECES: u32 = 1;
 /// The texture unit of the transfer functions.
 pub(super) const TRANSFER: u32 = 6;
 /// The texture unit of the first volume. The units before it are the fragment lists', the opaque depth's and the transfer
@@ -89,6 +91,7 @@ mod tests {
         for (file, name, binding) in [
             ("a_buffer/list.glsl", "records", RECORDS),
             ("a_buffer/list.glsl", "next", LINKS),
+            ("verified/pieces.glsl", "pieces", PIECES),
             ("common/volume.glsl", "transfer", TRANSFER),
             ("common/volume.glsl", "samples", FIRST_VOLUME),
             ("common/volume.glsl", "Volumes", PLACES_BLOCK),

@@ -234,6 +234,11 @@ impl<'c> Geometry<'c> {
         ))
     }
 
+    /// The place to which drawn positions are relative.
+    pub(super) fn origin(&self) -> DVec3 {
+        self.origin
+    }
+
     /// The rectangle of the image outside of which there is no transparent surface.
     pub(super) fn window(&self) -> [i32; 4] {
         self.window

@@ -1,6 +1,7 @@
 //! The GL machine: the tables that give listings' names their GL objects, put together. What the calls do is in
 //! `interpreter`, what a method makes beforehand in `resources`.
 
+use glam::DVec3;
 use glow::HasContext;
 
 use super::classic::Classic;
@@ -134,6 +135,11 @@ impl<'c> GlMachine<'c> {
             .as_mut()
             .ok_or_else(no_scene)?
             .submit(triangles)
+    }
+
+    /// The place to which drawn positions are relative.
+    pub(crate) fn origin(&self) -> DVec3 {
+        self.geometry.as_ref().map_or(DVec3::ZERO, Geometry::origin)
     }
 
     /// Has draw calls draw another of the orders in which the geometry was uploaded

@@ -1,4 +1,4 @@
-//! Maps by name: textures of the image's size.
+//! Maps by name: textures of the image's size, and some of fewer rows.
 
 use std::collections::HashMap;
 
@@ -11,7 +11,7 @@ use crate::steps::{Format, Map};
 
 #[derive(Debug)]
 pub(super) struct Maps {
-    /// Width and height of each.
+    /// Width and height of the image.
     pub(super) size: [u32; 2],
     textures: HashMap<Map, Texture>,
 }
@@ -31,12 +31,24 @@ impl Maps {
 
     /// Makes a map, unless it is there in this format.
     pub(super) fn allocate(&mut self, context: &Context, map: Map, format: Format) -> Result<()> {
+        self.allocate_rows(context, map, format, self.size[1])
+    }
+
+    /// Makes a map of so many rows, unless it is there in this format and has as many.
+    pub(super) fn allocate_rows(
+        &mut self,
+        context: &Context,
+        map: Map,
+        format: Format,
+        rows: u32,
+    ) -> Result<()> {
         match self.textures.get(&map) {
-            Some(texture) if texture.format == format => Ok(()),
+            Some(texture) if texture.format == format && texture.size[1] >= rows => Ok(()),
             _ => {
                 context.begin_making()?;
                 self.free(context.glow(), map);
-                let texture = Texture::new(context.glow(), &map, format, self.size)?;
+                let size = [self.size[0], rows];
+                let texture = Texture::new(context.glow(), &map, format, size)?;
                 self.textures.insert(map, texture);
                 Ok(())
             }

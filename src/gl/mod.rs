@@ -44,7 +44,7 @@ mod uploading;
 mod volumes;
 mod window;
 
-pub(crate) use bindings::{BandParameters, LINKS, RECORDS};
+pub(crate) use bindings::{BandParameters, LINKS, PIECES, RECORDS};
 pub use capture::{Captured, CapturedFragment, capture};
 pub(crate) use capture::{Piece, capture_in_pieces};
 pub use classic::{ClassicState, FixedFunction};

@@ -23,6 +23,15 @@ impl<'c> GlMachine<'c> {
         self.maps.allocate(self.context, map, format)
     }
 
+    /// Makes a map as wide as the image and of so many rows from the bottom, unless it is there in this format and has as
+    /// many.
+    ///
+    /// # Errors
+    /// If the driver has no room.
+    pub(crate) fn allocate_rows(&mut self, map: Map, format: Format, rows: u32) -> Result<()> {
+        self.maps.allocate_rows(self.context, map, format, rows)
+    }
+
     /// How a map stores its texels.
     ///
     /// # Errors

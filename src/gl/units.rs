@@ -29,9 +29,10 @@ enum Kind {
 type Declared = (Kind, u32, String);
 
 /// What the machine binds and no listing, by the names in the shaders. The tests of `bindings` hold the numbers.
-const BY_THE_MACHINE: [(&str, u32); 8] = [
+const BY_THE_MACHINE: [(&str, u32); 9] = [
     ("records", bindings::RECORDS),
     ("next", bindings::LINKS),
+    ("pieces", bindings::PIECES),
     ("transfer", bindings::TRANSFER),
     ("samples", bindings::FIRST_VOLUME),
     ("texture_2d", bindings::PLAIN_2D),
@@ -41,7 +42,7 @@ const BY_THE_MACHINE: [(&str, u32); 8] = [
 ];
 
 /// What a text's shaders declare and the text does not bind, with what does.
-const ELSEWHERE: [(&str, &[&str], &str); 10] = [
+const ELSEWHERE: [(&str, &[&str], &str); 9] = [
     (
         "carr/pass-6",
         &["lower", "opaque", "other_upper", "upper"],
@@ -61,11 +62,6 @@ const ELSEWHERE: [(&str, &[&str], &str); 10] = [
     ),
     ("lindholm/resolve", &["Offsets", "opaque"], OFFSETS),
     ("lindholm/pp-ao", &["Offsets", "opaque"], OFFSETS),
-    (
-        "edition/verified-painter",
-        &["behind", "resolved"],
-        "the listing itself, where there are opaque surfaces; without them nothing looks there",
-    ),
     ("salvi/four-nodes", &["node_images", "opaque"], IMAGES),
     ("salvi/eight-nodes", &["node_images", "opaque"], IMAGES),
 ];

@@ -11,11 +11,13 @@
 //! 4. The triangles that touch these tiles are drawn again, in the order of submission, into lists for the marked pixels
 //!    alone: dynamic buffers, resolved with ppAO and ppDP (Lindholm et al. 2015). What comes out is put in its place.
 //!
-//! Triangles that are much longer along the view than their distance from others have no right order, and then the pixels
-//! that they cover are marked: a cone through many slices, for one.
+//! Triangles that cross planes, such as slices, are drawn [in pieces](pieces). Others that are much longer along the view than
+//! their distance from others have no right order, and then the pixels that they cover are marked.
 //!
 //! Excludes: multisampling; volumes, unless they are drawn as slices.
 
+mod estimate;
+mod pieces;
 mod tiles;
 mod view_order;
 
@@ -26,45 +28,74 @@ use super::entry::{EXACT_BUT_NOT_SLICES, Entry, Memory, Ties, Volumes};
 use super::stats::VerifiedCounts;
 use super::technique::{Published, Technique};
 use crate::error::Result;
-use crate::gl::GlMachine;
+use crate::gl::{GlMachine, PIECES, Texels};
 use crate::papers::edition::{
-    COUNT_MARKED, COUNTS, FAILED, MARKS, NOTHING_OPAQUE, PLACE_RESOLVED, PROOF_DEPTH, RESOURCES,
-    VERIFIED_PAINTER,
+    BEHIND, BOUNDS, COUNT_MARKED, COUNTS, FAILED, IN_PIECES, MARKS, NOTHING_OPAQUE, PLACE_RESOLVED,
+    PROOF_DEPTH, RESOLVED, RESOURCES, VERIFIED_PAINTER,
 };
 use crate::scene::Scene;
 use crate::steps::{Machine, Variables, run};
 
+use pieces::Pieces;
 use tiles::{TILE, Tiles};
-use view_order::Triangles;
+use view_order::{Sorted, Triangles};
 
 /// The verified painter, which has no options.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct VerifiedPainter;
 
-struct Verified {
+/// The method at work.
+pub(super) struct Verified {
     setup: Setup,
     triangles: Triangles,
+    pieces: Option<Pieces>,
     lists: Option<MarkedLists>,
     tiles: Tiles,
 }
 
-impl Algorithm for Verified {
-    fn order(&mut self, scene: &Scene) -> DrawOrder {
-        self.triangles = Triangles::of(scene);
-        DrawOrder::Own
+impl Verified {
+    pub(super) fn new(setup: &Setup) -> Self {
+        Self {
+            setup: *setup,
+            triangles: Triangles::default(),
+            pieces: None,
+            lists: None,
+            tiles: Tiles::default(),
+        }
     }
 
-    fn prepare(&mut self, machine: &mut GlMachine<'_>, scene: &Scene) -> Result<()> {
-        let lists = MarkedLists::new(scene);
-        self.tiles = Tiles::of(machine.size());
-        machine.allocate_storage(MARKS, self.tiles.bytes(), None)?;
-        allocate_maps(machine, &[&RESOURCES], self.setup.color, self.setup.depth)?;
-        lists.prepare(machine, PROOF_DEPTH)?;
-        self.lists = Some(lists);
-        Ok(())
+    /// The scene's transparent triangles, back to front as well as the CPU can tell.
+    pub(super) fn sort(&self, machine: &GlMachine<'_>, scene: &Scene) -> Sorted {
+        match &self.pieces {
+            None => self.triangles.back_to_front(&scene.camera),
+            Some(pieces) => pieces.back_to_front(&self.triangles, &scene.camera, machine.origin()),
+        }
     }
 
-    fn draw(&mut self, machine: &mut GlMachine<'_>, scene: &Scene) -> Result<Drawn> {
+    /// The part of the fragments that will be in lists, about, 0 to 1.
+    pub(super) fn part_in_disorder(&self, scene: &Scene, sorted: &Sorted, size: [u32; 2]) -> f64 {
+        self.triangles.part_in_disorder(sorted, &scene.camera, size)
+    }
+
+    /// Lets go of the maps that are of no use to other methods.
+    pub(super) fn free(&self, machine: &mut GlMachine<'_>) {
+        for map in [PROOF_DEPTH, BEHIND, RESOLVED] {
+            machine.free(map);
+        }
+    }
+
+    /// Has all triangles drawn in the order of submission.
+    pub(super) fn submit(&self, machine: &mut GlMachine<'_>) -> Result<()> {
+        machine.submit_triangles(&self.triangles.submitted)
+    }
+
+    /// [`Algorithm::draw`] with triangles that are sorted.
+    pub(super) fn draw_sorted(
+        &mut self,
+        machine: &mut GlMachine<'_>,
+        scene: &Scene,
+        sorted: &Sorted,
+    ) -> Result<Drawn> {
         let Some(lists) = &mut self.lists else {
             return Ok(Drawn::default());
         };
@@ -74,13 +105,20 @@ impl Algorithm for Verified {
             ("TILES_ACROSS", self.tiles.across()),
         ]);
         MarkedLists::number(machine)?;
-        machine.submit_triangles(&self.triangles.back_to_front(&scene.camera))?;
+        machine.submit_triangles(&sorted.triangles)?;
         machine.clear_storage(MARKS)?;
-        let nothing_opaque: &[_] = match lists.has_opaque() {
-            true => &[],
-            false => &NOTHING_OPAQUE,
-        };
-        run(&VERIFIED_PAINTER, nothing_opaque, Variables::new(), machine)?;
+        let mut amendments = Vec::new();
+        if !lists.has_opaque() {
+            amendments.extend(NOTHING_OPAQUE);
+        }
+        if let Some(bounds) = &sorted.bounds {
+            let bytes = bytemuck::cast_slice(bounds);
+            machine.allocate_storage(BOUNDS, size_of_val(bytes) as u64, Some(Texels::Rgba32F))?;
+            machine.write_storage(BOUNDS, bytes)?;
+            machine.bind_texels(PIECES, BOUNDS)?;
+            amendments.extend(IN_PIECES);
+        }
+        run(&VERIFIED_PAINTER, &amendments, Variables::new(), machine)?;
         let mut counts = VerifiedCounts {
             marked_pixels: machine.samples(FAILED)?,
             ..VerifiedCounts::default()
@@ -104,10 +142,33 @@ impl Algorithm for Verified {
             ..Drawn::default()
         })
     }
+}
+
+impl Algorithm for Verified {
+    fn order(&mut self, scene: &Scene) -> DrawOrder {
+        self.triangles = Triangles::of(scene);
+        self.pieces = Pieces::of(scene, &self.triangles);
+        DrawOrder::Own
+    }
+
+    fn prepare(&mut self, machine: &mut GlMachine<'_>, scene: &Scene) -> Result<()> {
+        let mut lists = MarkedLists::new(scene);
+        self.tiles = Tiles::of(machine.size());
+        machine.allocate_storage(MARKS, self.tiles.bytes(), None)?;
+        allocate_maps(machine, &[&RESOURCES], self.setup.color, self.setup.depth)?;
+        lists.prepare(machine, scene, PROOF_DEPTH)?;
+        self.lists = Some(lists);
+        Ok(())
+    }
+
+    fn draw(&mut self, machine: &mut GlMachine<'_>, scene: &Scene) -> Result<Drawn> {
+        let sorted = self.sort(machine, scene);
+        self.draw_sorted(machine, scene, &sorted)
+    }
 
     /// What is counted next is all triangles.
     fn account(&mut self, machine: &mut GlMachine<'_>, _: &mut Drawn) -> Result<()> {
-        machine.submit_triangles(&self.triangles.submitted)
+        self.submit(machine)
     }
 }
 
@@ -138,12 +199,7 @@ impl Technique for VerifiedPainter {
     }
 
     fn algorithm(&self, setup: &Setup) -> Box<dyn Algorithm> {
-        Box::new(Verified {
-            setup: *setup,
-            triangles: Triangles::default(),
-            lists: None,
-            tiles: Tiles::default(),
-        })
+        Box::new(Verified::new(setup))
     }
 }
 

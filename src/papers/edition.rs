@@ -20,6 +20,14 @@
 //! What an opaque surface hides must not come to the depth test, for it would only fail there. The shader looks the
 //! opaque depth up and discards it.
 //!
+//! # In pieces
+//!
+//! A triangle that crosses planes, such as a beam through the slices of a volume, has no place in their order: whatever it is,
+//! the pixels behind the one plane or before the other one fail. So it is drawn several times, once in each slab between two
+//! planes, and the shader keeps the fragments that lie in the slab. The slabs share their bounds and cover everything, so of
+//! these fragments each is kept once, and the proof is the same. Where rounding puts one on the wrong side of a plane, it
+//! fails.
+//!
 //! # Why back to front
 //!
 //! Front to back, with `GREATER`, proves the same. But then what is blended is not yet over the opaque image, and a draw
@@ -64,7 +72,7 @@ pub const PAPER: Paper = Paper {
             ..RESOURCES.of(&["count-marked"], &[COUNTER])
         },
         &Resources {
-            made: &[],
+            made: &[RESOLVED],
             storages: &[],
             ..RESOURCES.of(&["place-resolved"], &[PLACED])
         },
@@ -105,31 +113,26 @@ pub const VERIFIED_PAINTER: Listing = Listing {
 
 /// To [`VERIFIED_PAINTER`], where no surface is opaque: the background lies behind everything, and its colour is known
 /// without a copy.
-pub const NOTHING_OPAQUE: [Amendment; 2] = [
-    Amendment {
-        key: "nothing opaque",
-        kind: Kind::Edition,
-        place: "before the verified pass",
-        printed: steps! { glCopyImageSubData(IMAGE_COLOR, BEHIND); },
-        amended: steps! {},
-        why: "the background lies behind everything",
-        test: "every_bundled_scene_is_exact_by_the_verified_painter",
-    },
-    Amendment {
-        key: "nothing opaque",
-        kind: Kind::Edition,
-        place: "the marks",
-        printed: steps! {
-            glActiveTexture(3);
-            glBindTexture(BEHIND);
-            glActiveTexture(0);
-            glBindImageTexture(0, RESOLVED);
-        },
-        amended: steps! {},
-        why: "the background lies behind everything",
-        test: "every_bundled_scene_is_exact_by_the_verified_painter",
-    },
-];
+pub const NOTHING_OPAQUE: [Amendment; 1] = [Amendment {
+    key: "nothing opaque",
+    kind: Kind::Edition,
+    place: "before the verified pass",
+    printed: steps! { glCopyImageSubData(IMAGE_COLOR, BEHIND); },
+    amended: steps! {},
+    why: "the background lies behind everything",
+    test: "every_bundled_scene_is_exact_by_the_verified_painter",
+}];
+
+/// To [`VERIFIED_PAINTER`], where triangles that cross planes are drawn in pieces.
+pub const IN_PIECES: [Amendment; 1] = [Amendment {
+    key: "in pieces",
+    kind: Kind::Edition,
+    place: "the verified pass",
+    printed: steps! { glUseProgram(BLENDED); },
+    amended: steps! { glUseProgram(BLENDED_IN_PIECES); },
+    why: "a triangle that crosses planes has no place among them, but its pieces have",
+    test: "triangles_that_cross_planes_are_drawn_in_pieces",
+}];
 
 /// The verified pass. The triangles come sorted back to front, as well as the CPU could.
 pub const BLEND_AND_PROVE: Listing = Listing {
@@ -172,10 +175,6 @@ pub const MARK: Listing = Listing {
         glDisable(DEPTH_TEST);
         glStencilFunc(NOTEQUAL, 0, 0xFF);
         glStencilOp(KEEP, KEEP, KEEP);
-        glActiveTexture(3);
-        glBindTexture(BEHIND);
-        glActiveTexture(0);
-        glBindImageTexture(0, RESOLVED);
         glBindStorageBuffer(0, MARKS);
         glUseProgram(MARKER);
         glBeginQuery(FAILED);
@@ -217,6 +216,26 @@ pub const BACKGROUND_BEHIND: Listing = Listing {
     },
 };
 
+/// Where surfaces are opaque, what lies behind each list. Its place is known when all lists have their numbers.
+pub const OPAQUE_BEHIND: Listing = Listing {
+    title: "What lies behind the transparent surfaces, list by list",
+    source: "onionskin",
+    dialect: Dialect::Calls,
+    steps: steps! {
+        glBindFramebuffer(UNSEEN);
+        glDisable(DEPTH_TEST);
+        glActiveTexture(2);
+        glBindTexture(ANCHOR);
+        glActiveTexture(3);
+        glBindTexture(BEHIND);
+        glActiveTexture(0);
+        glBindImageTexture(0, RESOLVED);
+        glUseProgram(BEHIND_LISTS);
+        drawScreen();
+        glMemoryBarrier();
+    },
+};
+
 /// Puts the marked pixels in their places.
 pub const PLACE_RESOLVED: Listing = Listing {
     title: "The pixels that failed, as their lists were resolved",
@@ -244,7 +263,6 @@ pub const RESOURCES: Resources = Resources {
     maps: &[
         (PROOF_DEPTH, Holds::Exactly(Format::Depth32FStencil8)),
         (ANCHOR, Holds::Exactly(Format::R32Ui)),
-        (RESOLVED, Holds::Exactly(Format::Rgba32F)),
     ],
     made: &[BEHIND],
     framebuffers: &[
@@ -258,14 +276,17 @@ pub const RESOURCES: Resources = Resources {
 
 /// The depth of the last fragment that was blended, and in its stencil how many failed.
 pub const PROOF_DEPTH: Map = Map::named("proof");
-/// The pixels that failed, side by side: first what lies behind their transparent surfaces, then the result.
+/// The pixels that failed, side by side in as few rows as they fill: first what lies behind their transparent surfaces, then
+/// the result.
 pub const RESOLVED: Map = Map::named("resolved");
 /// The opaque image.
-const BEHIND: Map = Map::named("behind");
+pub const BEHIND: Map = Map::named("behind");
 /// How many pixels failed, and in which tiles they are.
 pub const MARKS: Storage = Storage("marks");
 /// How many fragments each of them has.
 pub const COUNTS: Storage = Storage("marked counts");
+/// From where and up to where the pieces of triangles reach.
+pub const BOUNDS: Storage = Storage("bounds of pieces");
 /// The pixels that failed.
 pub const FAILED: Query = Query("failed");
 
@@ -273,6 +294,8 @@ const PROOF: Target = Target("proof");
 const MARKED: Target = Target("marked");
 const UNSEEN: Target = Target("nothing but marks");
 const BLENDED: Shader = Shader("verified/surface");
+const BLENDED_IN_PIECES: Shader = Shader("verified/pieces");
 const MARKER: Shader = Shader("verified/mark");
+const BEHIND_LISTS: Shader = Shader("verified/behind");
 const COUNTER: Shader = Shader("verified/count");
 const PLACED: Shader = Shader("verified/place");

@@ -44,7 +44,7 @@ fn combinations() -> Vec<ABufferOptions> {
 fn bound(options: &ABufferOptions) -> f64 {
     match options.color {
         RecordColor::Half => F16,
-        RecordColor::Float => F32,
+        RecordColor::Float | RecordColor::Fixed => F32,
     }
 }
 
@@ -81,6 +81,60 @@ pub(crate) fn l04_every_manager_and_fill_gives_the_oracle_s_image() {
         if let Err(TestError::Fail(why, stack)) = ran {
             panic!("{why}\nthe smallest stack: {stack:#?}");
         }
+    }
+}
+
+/// Where fragments come in order, with every component: as exact as floats, and the bits do not depend on the manager.
+#[test]
+fn fixed_point_colours_are_exact_and_refused_where_they_do_not_fit() {
+    let context = Context::headless().unwrap();
+    // One renderer, so that each program is compiled once.
+    let renderer = std::cell::RefCell::new(Renderer::new(&context, 3, 2).unwrap());
+    let fixed = |manager, (pp_ao, pp_dp)| ABufferOptions {
+        manager,
+        pp_ao,
+        pp_dp,
+        color: RecordColor::Fixed,
+        ..ABufferOptions::DEFAULT
+    };
+    let is_in_order = context.driver().has("GL_EXT_shader_framebuffer_fetch");
+    let ran = runner(30).run(&stacks(4, false), |stack| {
+        let mut first: Option<Frame> = None;
+        for manager in MANAGERS.into_iter().filter(|_| is_in_order) {
+            for local in LOCAL {
+                let options = fixed(manager, local);
+                let frame = renderer
+                    .borrow_mut()
+                    .render(&stack.scene(), &Method::ABuffer(options));
+                let frame = frame.unwrap();
+                let error =
+                    Comparison::new(&frame.image, &stack.expected(), bound(&options)).unwrap();
+                proptest::prop_assert!(error.over == 0, "{options:?}: {error:?}");
+                let same = first.get_or_insert_with(|| frame.clone()).image == frame.image;
+                proptest::prop_assert!(same, "{options:?}");
+            }
+        }
+        Ok(())
+    });
+    stack::expect_none(ran);
+    let mut atomics = fixed(Manager::Dfb, (true, true));
+    atomics.fill = Fill::Atomics;
+    let bright = |alpha| {
+        let mut scene = row(&[3; 6]).scene();
+        scene.meshes[0].vertices[0].color.a = alpha;
+        scene
+    };
+    let ordered = fixed(Manager::Dfb, (true, true));
+    for (scene, options) in [
+        (bright(0.5), atomics),
+        (bright(1.5), ordered),
+        (bright(f32::NAN), ordered),
+    ] {
+        let frame = renderer
+            .borrow_mut()
+            .render(&scene, &Method::ABuffer(options));
+        let text = frame.unwrap_err().to_string();
+        assert!(text.contains("no ids") && text.contains("float"), "{text}");
     }
 }
 

@@ -33,6 +33,19 @@ fn it_is_the_default() {
     assert_eq!(Method::default(), Method::Automatic);
 }
 
+/// Large triangles through one another, none of which has a place in the order of the others.
+fn crossing(size: [u32; 2]) -> Scene {
+    let triangles = soup(&Soup {
+        count: 200,
+        triangle_size: [2.0, 3.0],
+        alpha: [0.1, 0.9],
+        ..Soup::default()
+    });
+    let mut scene = Scene::of("crossing", vec![triangles.unwrap()]);
+    scene.size = size;
+    scene
+}
+
 /// Scenes that are made to prefer each of the methods, with what the frame says.
 #[test]
 fn each_method_is_chosen_where_it_is_quick_and_said() {
@@ -40,10 +53,14 @@ fn each_method_is_chosen_where_it_is_quick_and_said() {
     for (name, expected) in [
         ("knots", "verified-painter"),
         ("sheets64", "verified-painter"),
-        ("slices", "dfb+ppdp"),
+        ("slices", "verified-painter"),
+        ("crossing", "dfb+ppao+ppdp"),
         ("fog", "dfb+ppdp"),
     ] {
-        let scene = example(name, [80, 60]);
+        let scene = match name {
+            "crossing" => crossing([80, 60]),
+            _ => example(name, [80, 60]),
+        };
         let frame = render(&context, &scene, &Method::Automatic);
         assert_eq!(chosen(&frame), expected, "{name}");
         let said = frame.stats.to_string();
@@ -62,12 +79,20 @@ fn each_method_is_chosen_where_it_is_quick_and_said() {
 #[test]
 fn its_image_is_the_chosen_method_s() {
     let context = Context::headless().unwrap();
-    for name in ["knots", "molecule_fused"] {
-        let scene = example(name, [80, 60]);
+    let scenes = [
+        (example("knots", [80, 60]), None),
+        (example("molecule_fused", [80, 60]), Some("float")),
+        (crossing([80, 60]), Some("fixed")),
+    ];
+    for (scene, color) in scenes {
+        let name = &scene.name;
         let frame = render(&context, &scene, &Method::Automatic);
         let mut method: Method = chosen(&frame).parse().unwrap();
-        if method.has("record-color") {
-            method.choose("record-color", "float").unwrap();
+        assert_eq!(method.has("record-color"), color.is_some(), "{name}");
+        if let Some(color) = color {
+            let is_in_order = context.driver().has("GL_EXT_shader_framebuffer_fetch");
+            let color = if is_in_order { color } else { "float" };
+            method.choose("record-color", color).unwrap();
         }
         let alone = render(&context, &scene, &method);
         assert!(frame.image == alone.image, "{name}");
@@ -97,17 +122,19 @@ fn random_triangles_are_exact() {
     let mut chance = Chance::new(16);
     let mut choices = Vec::new();
     for number in 0..40 {
+        let (most, triangle_size) = [(60, [0.2, 0.8]), (200, [2.0, 3.0])][number / 4 % 2];
         let triangles = |count, alpha, seed| {
             let parameters = Soup {
                 count,
                 alpha,
                 seed,
+                triangle_size,
                 ..Soup::default()
             };
             soup(&parameters).unwrap()
         };
         let seed = chance.below(1 << 30) as u64;
-        let mut meshes = vec![triangles(60, [0.0, 1.0], seed)];
+        let mut meshes = vec![triangles(most, [0.0, 1.0], seed)];
         if number % 2 == 1 {
             meshes.push(triangles(6, [1.0, 1.0], seed + 1));
         }
@@ -123,9 +150,9 @@ fn random_triangles_are_exact() {
         assert!(off <= F32, "scene {number}, seed {seed}: {off}");
         choices.push(chosen(&frame));
     }
-    for method in ["verified-painter", "dfb+ppdp"] {
+    for method in ["verified-painter", "dfb+ppao+ppdp"] {
         let count = choices.iter().filter(|&&chosen| chosen == method).count();
-        assert_eq!(count, 20, "{method}");
+        assert!(count >= 5, "{method}: {count}");
     }
 }
 
@@ -158,7 +185,10 @@ fn random_triangles_around_the_eye_are_exact() {
         let frame = render(&context, &scene, &Method::Automatic);
         let off = off(&context, &scene, &frame);
         assert!(off <= F32, "scene {number}, seed {seed}: {off}");
-        in_lists += frame.stats.verified.expect("surfaces").list_fragments;
+        in_lists += frame
+            .stats
+            .verified
+            .map_or(0, |counts| counts.list_fragments);
     }
     assert!(in_lists > 10_000, "{in_lists}");
 }
@@ -173,6 +203,48 @@ fn random_volumes_are_exact() {
         assert!(off <= BOUND, "scene {seed}: {off}");
         assert_eq!(chosen(&frame), "dfb+ppdp");
     }
+}
+
+/// Four images of 16 bytes a pixel, and 1.3 times the records of what is in lists, are enough for every choice, with opaque
+/// surfaces and without.
+#[test]
+fn its_memory_is_bounded_by_what_is_out_of_order() {
+    let context = Context::headless().unwrap();
+    let size = [320, 240];
+    let mut scenes: Vec<Scene> = ["knots", "molecule", "quads", "slices", "soup", "teapot"]
+        .map(|name| example(name, size))
+        .into();
+    scenes.push(crossing(size));
+    let mut half = crossing(size);
+    half.meshes[0] = soup(&Soup::default()).unwrap();
+    let floor = quads(&Quads {
+        count: 1,
+        alpha: 1.0,
+        ..Quads::default()
+    });
+    half.meshes.push(floor.unwrap());
+    scenes.push(half);
+    let mut largest: f64 = 0.0;
+    for scene in &scenes {
+        let frame = render(&context, scene, &Method::Automatic);
+        let stats = &frame.stats;
+        let records = match (stats.verified, stats.a_buffer) {
+            (Some(counts), _) => counts.list_bytes,
+            (None, Some(counts)) => counts.list_bytes,
+            (None, None) => panic!("{}: no counts", scene.name),
+        };
+        let image = f64::from(size[0] * size[1] * 16);
+        let images = (stats.bytes as f64 - 1.3 * records as f64) / image;
+        let name = &scene.name;
+        println!(
+            "{name}: {images:.2} images, {records} bytes of records, {}",
+            chosen(&frame)
+        );
+        assert!(images <= 4.0, "{name}: {images}");
+        largest = largest.max(images);
+    }
+    // It is not less by so much that a copy more would go unnoticed.
+    assert!(largest > 3.0, "{largest}");
 }
 
 /// The comparisons above notice a scene without its last mesh.

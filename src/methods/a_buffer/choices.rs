@@ -116,4 +116,5 @@ const RECORD_COLOR: Choice = Choice {
 words! { RecordColor, "format of a record's colour",
     Half "half" "Four 16-bit floats, as the paper has it",
     Float "float" "Four 32-bit floats",
+    Fixed "fixed" "24 bits each from 0 to 1, for surfaces, where lists are filled in order",
 }

@@ -24,7 +24,6 @@ const OPTIONS: ABufferOptions = ABufferOptions {
     pp_ao: true,
     pp_dp: true,
     fill: Fill::Atomics,
-    color: RecordColor::Float,
     ..ABufferOptions::DEFAULT
 };
 
@@ -42,19 +41,21 @@ impl MarkedLists {
         self.0.opaque
     }
 
-    /// Makes the counters and the framebuffers. The stencil of `marks` has the marks.
+    /// Makes the framebuffer in which lists are filled. The stencil of `marks` has the marks.
     ///
     /// # Errors
     /// If the driver has no room.
     pub(in crate::low_level::methods) fn prepare(
-        &self,
+        &mut self,
         machine: &mut GlMachine<'_>,
+        scene: &Scene,
         marks: Map,
     ) -> Result<()> {
-        machine.allocate(paper::COUNTER, Format::R32Ui)?;
-        machine.framebuffer_with(paper::CLEARED, &[paper::COUNTER], None)?;
-        machine.framebuffer_with(paper::FILL, &[], Some(marks))?;
-        machine.framebuffer_with(paper::RESOLVED, &[edition::RESOLVED], None)
+        self.0.options.color = RecordColor::Fixed;
+        if self.0.expect_fixed_fits(machine, scene).is_err() {
+            self.0.options.color = RecordColor::Float;
+        }
+        machine.framebuffer_with(paper::FILL, &[], Some(marks))
     }
 
     /// Numbers lists as if all were in one band, for passes before the lists are made.
@@ -84,22 +85,27 @@ impl MarkedLists {
         mut counts: Vec<u32>,
     ) -> Result<u64> {
         let width = machine.size()[0];
+        let options = self.0.options;
         // No list: no fragment.
         counts.resize(counts.len().next_multiple_of(width as usize), 0);
         let budget = Budget {
             bytes: u64::MAX,
             fixed: 0,
-            records: largest_storage(machine.context(), Texels::Rgba32Ui) / OPTIONS.record_bytes(),
+            records: largest_storage(machine.context(), Texels::Rgba32Ui) / options.record_bytes(),
             preferred_band: u64::MAX,
         };
-        let bands = bands(&counts, width, &OPTIONS, budget)?;
+        let bands = bands(&counts, width, &options, budget)?;
         let bytes = self.allocate_marked(machine, &counts, &bands)?;
-        if !self.has_opaque() {
-            let rows = (counts.len() as u32) / width;
-            machine.set_band(Some([0, rows]));
-            run(&edition::BACKGROUND_BEHIND, &[], Variables::new(), machine)?;
-            machine.set_band(None);
-        }
+        let rows = (counts.len() as u32) / width;
+        machine.allocate_rows(paper::COUNTER, Format::R32Ui, rows)?;
+        machine.allocate_rows(edition::RESOLVED, Format::Rgba32F, rows)?;
+        machine.framebuffer_with(paper::CLEARED, &[paper::COUNTER], None)?;
+        machine.framebuffer_with(paper::RESOLVED, &[edition::RESOLVED], None)?;
+        let behind = match self.has_opaque() {
+            true => &edition::OPAQUE_BEHIND,
+            false => &edition::BACKGROUND_BEHIND,
+        };
+        run(behind, &[], Variables::new(), machine)?;
         for call in [
             gl::glActiveTexture(2),
             gl::glBindTexture(paper::ANCHOR),
@@ -108,7 +114,7 @@ impl MarkedLists {
             machine.perform(&call)?;
         }
         self.0.layers = bands.iter().map(|band| band.layers).max().unwrap_or(0);
-        self.0.inserts = inserts(&OPTIONS, &counts, self.0.layers);
+        self.0.inserts = inserts(&options, &counts, self.0.layers);
         let mut before = 0;
         for band in bands.iter().filter(|band| band.fragments > 0) {
             // The Resolve Step of the band before has disabled it.
@@ -119,7 +125,7 @@ impl MarkedLists {
                 rows: band.rows,
                 width,
                 layers: band.layers,
-                capacity: band.records(OPTIONS.manager, width) as u32,
+                capacity: band.records(options.manager, width) as u32,
                 // Offsets may have wrapped around; their differences are right all the same.
                 before: before as u32,
             })?;
@@ -138,7 +144,8 @@ impl MarkedLists {
         bands: &[Band],
     ) -> Result<u64> {
         let width = machine.size()[0];
-        let records = bands.iter().map(|band| band.bytes(&OPTIONS, width));
+        let options = self.0.options;
+        let records = bands.iter().map(|band| band.bytes(&options, width));
         let records = records.max().unwrap_or(0);
         machine.allocate_storage(paper::RECORDS, records, Some(Texels::Rgba32Ui))?;
         machine.bind_texels(RECORDS, paper::RECORDS)?;

@@ -38,14 +38,25 @@ const SAMPLE: usize = 1000;
 /// A thread with fewer triangles than this costs more than it saves.
 const LEAST: usize = 10_000;
 
+/// A piece's bounds, which are read as texels of four floats.
+pub(super) type Bounds = [f32; 4];
+
+/// Triangles as they are drawn.
+#[derive(Debug, Default)]
+pub(in crate::low_level::methods) struct Sorted {
+    pub(super) triangles: Vec<[u32; 3]>,
+    /// Of those that are drawn in pieces: what the shader is told, see [`pieces`](super::pieces).
+    pub(super) bounds: Option<Vec<Bounds>>,
+}
+
 /// The transparent triangles of a scene, whatever the camera.
 #[derive(Debug, Default)]
-pub(super) struct Triangles {
+pub(in crate::low_level::methods) struct Triangles {
     /// Each vertex relative to `origin`. The vertices are numbered through all transparent meshes.
     pub(super) positions: Vec<Vec3>,
     pub(super) origin: DVec3,
     /// In the order of submission.
-    pub(super) submitted: Vec<[u32; 3]>,
+    pub(in crate::low_level::methods) submitted: Vec<[u32; 3]>,
     steps: Steps,
 }
 
@@ -82,9 +93,22 @@ impl Triangles {
     }
 
     /// The triangles, the farthest centroid first.
-    pub(super) fn back_to_front(&self, camera: &Camera) -> Vec<[u32; 3]> {
+    pub(super) fn back_to_front(&self, camera: &Camera) -> Sorted {
+        Sorted {
+            triangles: self.sort(camera, &self.submitted, &self.submitted),
+            bounds: None,
+        }
+    }
+
+    /// Items by their triangles, the one with the farthest centroid first.
+    pub(super) fn sort<T: Copy + Default + Send + Sync>(
+        &self,
+        camera: &Camera,
+        triangles: &[[u32; 3]],
+        items: &[T],
+    ) -> Vec<T> {
         let forward = (camera.target - camera.eye).normalize_or_zero().as_vec3();
-        let threads = threads(self.submitted.len());
+        let threads = threads(triangles.len());
         let mut distances = vec![0.0; self.positions.len()];
         side_by_side(threads, &self.positions, &mut distances, |position| {
             position.dot(forward)
@@ -96,8 +120,8 @@ impl Triangles {
         let steps = self.steps as usize;
         let scale = (steps - 1) as f32 / (3.0 * (far - near));
         let long = self.long(&distances, LONG * (far - near));
-        let mut keys = vec![0u16; self.submitted.len()];
-        side_by_side(threads, &self.submitted, &mut keys, |corners| {
+        let mut keys = vec![0u16; triangles.len()];
+        side_by_side(threads, triangles, &mut keys, |corners| {
             let corners = corners.map(|corner| far - distances[corner as usize]);
             let sum = match length(corners) > long {
                 true => 3.0 * corners.into_iter().fold(f32::INFINITY, f32::min),
@@ -105,7 +129,7 @@ impl Triangles {
             };
             (sum * scale) as u16
         });
-        counting_sort(threads, steps, &keys, &self.submitted)
+        counting_sort(threads, steps, &keys, items)
     }
 
     /// The length from which on triangles are sorted by their farthest corners: `least`, or no length if more than half of
@@ -133,7 +157,7 @@ fn length([a, b, c]: [f32; 3]) -> f32 {
 }
 
 /// As many threads as the machine has cores, and fewer for few triangles.
-fn threads(triangles: usize) -> usize {
+pub(super) fn threads(triangles: usize) -> usize {
     let cores = available_parallelism().map_or(1, |cores| cores.get());
     cores.min(triangles / LEAST + 1)
 }
@@ -168,20 +192,21 @@ pub(super) fn in_parts<T: Sync, U: Send>(
 ) -> Vec<U> {
     let part = items.len().div_ceil(threads(items.len())).max(1);
     scope(|scope| {
-        let parts = items
-            .chunks(part)
-            .map(|part| scope.spawn(|| function(part)));
-        let parts: Vec<_> = parts.collect();
-        let made = parts
-            .into_iter()
-            .map(|part| part.join().expect("it does not panic"));
-        made.flatten().collect()
+        let mut parts = items.chunks(part);
+        let first = parts.next().unwrap_or_default();
+        let others = parts.map(|part| scope.spawn(|| function(part)));
+        let others: Vec<_> = others.collect();
+        let mut made = function(first);
+        for other in others {
+            made.append(&mut other.join().expect("it does not panic"));
+        }
+        made
     })
 }
 
 /// The items by their keys; items of one key stay in their order. Each thread writes the items of some keys, which lie side
 /// by side, so that no two threads write to one place.
-fn counting_sort<T: Copy + Default + Send + Sync>(
+pub(super) fn counting_sort<T: Copy + Default + Send + Sync>(
     threads: usize,
     steps: usize,
     keys: &[u16],
