@@ -100,7 +100,7 @@ impl Chart<'_> {
                 .y_label_formatter(&|y| number(*y))
                 .draw()?;
             for (place, line) in self.lines.iter().enumerate() {
-                let color = palette::of(&line.name);
+                let color = palette::of_method(&line.name);
                 let points = || line.points.iter().map(|&[x, y]| (x, y));
                 let y = 60 + LINE * place as i32;
                 let sample = match is_vtk(line) {

@@ -101,6 +101,16 @@ impl Plot {
     }
 }
 
+/// Writes an SVG or a PNG, as the file's name says.
+pub(super) fn save_either(path: &Path, draw: impl FnOnce() -> Result<[Plot; 2]>) -> Result<()> {
+    let kind = PlotKind::of(path)?;
+    let [svg, png] = draw()?;
+    match kind {
+        PlotKind::Svg => svg.save(path),
+        PlotKind::Png => png.save(path),
+    }
+}
+
 /// The bins. Pixels without a fragment are taken out of the first.
 fn covered_bins(complexity: &Complexity, bin: u32) -> Vec<Bin> {
     let mut bins = complexity.histogram(bin);

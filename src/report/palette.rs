@@ -1,6 +1,37 @@
-//! One colour for each method, the same in all plots.
+//! Colours that mean the same in all pictures: one for each method, and a few that everybody can tell apart.
 
 use plotters::style::{Color, HSLColor, RGBColor};
+
+use crate::fragment::Rgba;
+use crate::low_level::emulator::FragmentOutcome;
+
+/// Okabe and Ito's colours, without black, which can be told apart in every kind of colour blindness: orange, sky blue,
+/// green, yellow, blue, vermilion, purple.
+pub(super) const DISTINCT: [Rgba; 7] = [
+    from_bytes(0xE6, 0x9F, 0x00),
+    from_bytes(0x56, 0xB4, 0xE9),
+    from_bytes(0x00, 0x9E, 0x73),
+    from_bytes(0xF0, 0xE4, 0x42),
+    from_bytes(0x00, 0x72, 0xB2),
+    from_bytes(0xD5, 0x5E, 0x00),
+    from_bytes(0xCC, 0x79, 0xA7),
+];
+/// What is there and holds nothing.
+pub(super) const UNUSED: Rgba = from_bytes(0xDD, 0xDD, 0xDD);
+
+const fn from_bytes(r: u8, g: u8, b: u8) -> Rgba {
+    Rgba::opaque([r as f32 / 255.0, g as f32 / 255.0, b as f32 / 255.0])
+}
+
+/// The colour of a fragment that ended so.
+pub(super) fn of_outcome(outcome: FragmentOutcome) -> Rgba {
+    match outcome {
+        FragmentOutcome::Discarded => UNUSED,
+        FragmentOutcome::StencilFail => DISTINCT[5],
+        FragmentOutcome::DepthFail => DISTINCT[3],
+        FragmentOutcome::Pass => DISTINCT[2],
+    }
+}
 
 /// Three hues of four shades for A-buffers. A hue stands for a manager, and its shades for static, ppAO, ppDP, both.
 pub(super) const A_BUFFERS: [(&str, RGBColor); 12] = [
@@ -44,7 +75,7 @@ const VTK: [(&str, RGBColor); 3] = [
 ];
 
 /// The colour of a method, or of a mode of VTK. A method that is not in these tables has one that follows from its name.
-pub(super) fn of(name: &str) -> RGBColor {
+pub(super) fn of_method(name: &str) -> RGBColor {
     let mut known = A_BUFFERS.iter().chain(&OTHERS).chain(&VTK);
     let found = known.find(|(known, _)| *known == name);
     found.map_or_else(|| of_unknown(name), |(_, color)| *color)
@@ -69,12 +100,12 @@ mod tests {
     fn every_method_has_a_colour_of_its_own() {
         let colors: BTreeSet<_> = registry()
             .iter()
-            .map(|row| of(row.name))
+            .map(|row| of_method(row.name))
             .map(|RGBColor(r, g, b)| (r, g, b))
             .collect();
         assert_eq!(colors.len(), registry().len());
         // So has one that nobody has given a colour.
-        let [RGBColor(r, g, b), another] = ["mine", "another"].map(of);
+        let [RGBColor(r, g, b), another] = ["mine", "another"].map(of_method);
         assert!(!colors.contains(&(r, g, b)) && another != RGBColor(r, g, b));
     }
 }
