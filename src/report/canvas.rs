@@ -60,7 +60,7 @@ fn on_white<D: Drawing, B: DrawingBackend>(
 }
 
 /// The picture in a plotting library's bytes, three per pixel.
-pub(super) fn in_pixels((width, height): (u32, u32), bytes: &[u8]) -> Image {
+fn in_pixels((width, height): (u32, u32), bytes: &[u8]) -> Image {
     let pixel = |rgb: &[u8]| Rgba::opaque([0, 1, 2].map(|n| f32::from(rgb[n]) / 255.0));
     Image {
         width,
@@ -70,7 +70,7 @@ pub(super) fn in_pixels((width, height): (u32, u32), bytes: &[u8]) -> Image {
 }
 
 /// Makes [`FAMILY`] known to the plotting library.
-pub(super) fn register_the_font() {
+fn register_the_font() {
     static FONT: Once = Once::new();
     FONT.call_once(|| {
         // The font is bundled, so that a plot is the same on every machine. It can be read, so the answer is Ok.

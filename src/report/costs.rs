@@ -4,7 +4,7 @@ use plotters::coord::Shift;
 use plotters::element::DashedPathElement;
 use plotters::prelude::*;
 
-use super::canvas::{FAMILY, in_pixels, register_the_font};
+use super::canvas::{Drawing, Drawn, FAMILY, both};
 use super::{Plot, palette};
 use crate::error::{Error, Result};
 
@@ -30,18 +30,22 @@ const LINE: i32 = 28;
 /// # Errors
 /// If the plotting library fails, or no line has a point.
 pub fn costs(caption: &str, across: &str, up: &str, lines: &[CostLine]) -> Result<[Plot; 2]> {
-    register_the_font();
+    let lines = from_the_top(lines);
+    let (Some(xs), Some(ys)) = (range(&lines, 0), range(&lines, 1)) else {
+        return Err(Error::Plot {
+            what: Chart::WHAT,
+            answer: "no method has a cost".into(),
+        });
+    };
     let chart = Chart {
         caption,
         across,
         up,
-        lines: &from_the_top(lines),
+        lines: &lines,
+        ranges: [xs, ys],
     };
-    let mut text = String::new();
-    chart.draw(SVGBackend::with_string(&mut text, SIZE).into_drawing_area())?;
-    let mut bytes = vec![0; (SIZE.0 * SIZE.1 * 3) as usize];
-    chart.draw(BitMapBackend::with_buffer(&mut bytes, SIZE).into_drawing_area())?;
-    Ok([Plot::Svg(text), Plot::Png(in_pixels(SIZE, &bytes))])
+    let (svg, picture) = both(SIZE, &chart)?;
+    Ok([Plot::Svg(svg), Plot::Png(picture)])
 }
 
 /// The lines that have points, the one that ends highest first.
@@ -61,83 +65,77 @@ struct Chart<'c> {
     across: &'c str,
     up: &'c str,
     lines: &'c [CostLine],
+    /// The ends of both axes.
+    ranges: [[f64; 2]; 2],
 }
 
-impl Chart<'_> {
-    fn draw<B: DrawingBackend>(&self, area: DrawingArea<B, Shift>) -> Result<()> {
-        let wrong = |answer: String| Error::Plot {
-            what: "the costs",
-            answer,
-        };
-        let (Some(xs), Some(ys)) = (self.range(0), self.range(1)) else {
-            return Err(wrong("no method has a cost".into()));
-        };
-        let plot = || {
-            area.fill(&WHITE)?;
-            let (left, legend) = area.split_horizontally(SIZE.0 - LEGEND);
-            let mut chart = ChartBuilder::on(&left)
-                .caption(self.caption, (FAMILY, 24))
-                .margin(16)
-                .x_label_area_size(56)
-                .y_label_area_size(84)
-                .build_cartesian_2d(
-                    (xs[0] / 1.1..xs[1] * 1.1)
-                        .log_scale()
-                        .with_key_points(ticks(xs)),
-                    (ys[0] / 1.3..ys[1] * 1.3)
-                        .log_scale()
-                        .with_key_points(ticks(ys)),
-                )?;
-            chart
-                .configure_mesh()
-                .light_line_style(TRANSPARENT)
-                .bold_line_style(BLACK.mix(0.12))
-                .x_desc(self.across)
-                .y_desc(self.up)
-                .axis_desc_style((FAMILY, 22))
-                .label_style((FAMILY, 18))
-                .x_label_formatter(&|x| number(*x))
-                .y_label_formatter(&|y| number(*y))
-                .draw()?;
-            for (place, line) in self.lines.iter().enumerate() {
-                let color = palette::of_method(&line.name);
-                let points = || line.points.iter().map(|&[x, y]| (x, y));
-                let y = 60 + LINE * place as i32;
-                let sample = match is_vtk(line) {
-                    true => [[(0, y), (6, y)], [(20, y), (26, y)]],
-                    false => [[(0, y), (26, y)]; 2],
-                };
-                if line.joined {
-                    if is_vtk(line) {
-                        let style = color.stroke_width(2);
-                        chart.draw_series([DashedPathElement::new(points(), 8, 5, style)])?;
-                    } else {
-                        let path: Vec<_> = points().collect();
-                        chart.draw_series([PathElement::new(path, color.stroke_width(3))])?;
-                    }
-                    for part in sample {
-                        legend.draw(&PathElement::new(part, color.stroke_width(3)))?;
-                    }
-                }
-                chart.draw_series(points().map(|point| Circle::new(point, 4, color.filled())))?;
-                legend.draw(&Circle::new((13, y), 4, color.filled()))?;
-                let style = TextStyle::from((FAMILY, 18).into_font());
-                legend.draw_text(&line.name, &style, (36, y - 9))?;
-            }
-            area.present()
-        };
-        plot().map_err(|e: DrawingAreaErrorKind<B::ErrorType>| wrong(e.to_string()))
-    }
+impl Drawing for Chart<'_> {
+    const WHAT: &'static str = "the costs";
 
-    /// The smallest and the largest place on an axis. `None` if there is none.
-    fn range(&self, axis: usize) -> Option<[f64; 2]> {
-        let points = self.lines.iter().flat_map(|line| &line.points);
-        let places = points.map(|point| point[axis].max(1e-9));
-        places.fold(None, |range, place| match range {
-            None => Some([place, place]),
-            Some([low, high]) => Some([low.min(place), high.max(place)]),
-        })
+    fn draw<B: DrawingBackend>(&self, area: &DrawingArea<B, Shift>) -> Drawn<B> {
+        let [xs, ys] = self.ranges;
+        let (left, legend) = area.split_horizontally(SIZE.0 - LEGEND);
+        let mut chart = ChartBuilder::on(&left)
+            .caption(self.caption, (FAMILY, 24))
+            .margin(16)
+            .x_label_area_size(56)
+            .y_label_area_size(84)
+            .build_cartesian_2d(
+                (xs[0] / 1.1..xs[1] * 1.1)
+                    .log_scale()
+                    .with_key_points(ticks(xs)),
+                (ys[0] / 1.3..ys[1] * 1.3)
+                    .log_scale()
+                    .with_key_points(ticks(ys)),
+            )?;
+        chart
+            .configure_mesh()
+            .light_line_style(TRANSPARENT)
+            .bold_line_style(BLACK.mix(0.12))
+            .x_desc(self.across)
+            .y_desc(self.up)
+            .axis_desc_style((FAMILY, 22))
+            .label_style((FAMILY, 18))
+            .x_label_formatter(&|x| number(*x))
+            .y_label_formatter(&|y| number(*y))
+            .draw()?;
+        for (place, line) in self.lines.iter().enumerate() {
+            let color = palette::of_method(&line.name);
+            let points = || line.points.iter().map(|&[x, y]| (x, y));
+            let y = 60 + LINE * place as i32;
+            let sample = match is_vtk(line) {
+                true => [[(0, y), (6, y)], [(20, y), (26, y)]],
+                false => [[(0, y), (26, y)]; 2],
+            };
+            if line.joined {
+                if is_vtk(line) {
+                    let style = color.stroke_width(2);
+                    chart.draw_series([DashedPathElement::new(points(), 8, 5, style)])?;
+                } else {
+                    let path: Vec<_> = points().collect();
+                    chart.draw_series([PathElement::new(path, color.stroke_width(3))])?;
+                }
+                for part in sample {
+                    legend.draw(&PathElement::new(part, color.stroke_width(3)))?;
+                }
+            }
+            chart.draw_series(points().map(|point| Circle::new(point, 4, color.filled())))?;
+            legend.draw(&Circle::new((13, y), 4, color.filled()))?;
+            let style = TextStyle::from((FAMILY, 18).into_font());
+            legend.draw_text(&line.name, &style, (36, y - 9))?;
+        }
+        Ok(())
     }
+}
+
+/// The smallest and the largest place on an axis. `None` if there is none.
+fn range(lines: &[CostLine], axis: usize) -> Option<[f64; 2]> {
+    let points = lines.iter().flat_map(|line| &line.points);
+    let places = points.map(|point| point[axis].max(1e-9));
+    places.fold(None, |range, place| match range {
+        None => Some([place, place]),
+        Some([low, high]) => Some([low.min(place), high.max(place)]),
+    })
 }
 
 fn is_vtk(line: &CostLine) -> bool {

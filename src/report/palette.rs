@@ -43,10 +43,10 @@ pub(super) const A_BUFFERS: [(&str, RGBColor); 12] = [
     ("dfb+ppao", RGBColor(0xFD, 0x8D, 0x3C)),
     ("dfb+ppdp", RGBColor(0xD9, 0x48, 0x01)),
     ("dfb+ppao+ppdp", RGBColor(0x7F, 0x27, 0x04)),
-    ("ppll", RGBColor(0xC7, 0xE9, 0xC0)),
-    ("ppll+ppao", RGBColor(0x74, 0xC4, 0x76)),
-    ("ppll+ppdp", RGBColor(0x23, 0x8B, 0x45)),
-    ("ppll+ppao+ppdp", RGBColor(0x00, 0x44, 0x1B)),
+    ("ppll", RGBColor(0xBF, 0xE7, 0xDC)),
+    ("ppll+ppao", RGBColor(0x5C, 0xC3, 0xA5)),
+    ("ppll+ppdp", RGBColor(0x00, 0x9E, 0x73)),
+    ("ppll+ppao+ppdp", RGBColor(0x00, 0x4D, 0x38)),
 ];
 
 const OTHERS: [(&str, RGBColor); 15] = [
@@ -69,9 +69,9 @@ const OTHERS: [(&str, RGBColor); 15] = [
 
 /// For VTK's modes, whose lines are broken.
 const VTK: [(&str, RGBColor); 3] = [
-    ("VTK alpha", RGBColor(0x01, 0x66, 0x5E)),
-    ("VTK peel", RGBColor(0x35, 0x97, 0x8F)),
-    ("VTK dual", RGBColor(0x5A, 0xB4, 0xAC)),
+    ("VTK alpha", RGBColor(0x40, 0x40, 0x40)),
+    ("VTK peel", RGBColor(0x70, 0x70, 0x70)),
+    ("VTK dual", RGBColor(0xA0, 0xA0, 0xA0)),
 ];
 
 /// The colour of a method, or of a mode of VTK. A method that is not in these tables has one that follows from its name.
@@ -107,5 +107,95 @@ mod tests {
         // So has one that nobody has given a colour.
         let [RGBColor(r, g, b), another] = ["mine", "another"].map(of_method);
         assert!(!colors.contains(&(r, g, b)) && another != RGBColor(r, g, b));
+    }
+
+    /// Matrices for linear light of Machado, Oliveira and Fernandes (2009) for complete protanopia, deuteranopia and
+    /// tritanopia.
+    const BLINDNESSES: [[[f64; 3]; 3]; 3] = [
+        [
+            [0.152_286, 1.052_583, -0.204_868],
+            [0.114_503, 0.786_281, 0.099_216],
+            [-0.003_882, -0.048_116, 1.051_998],
+        ],
+        [
+            [0.367_322, 0.860_646, -0.227_968],
+            [0.280_085, 0.672_501, 0.047_413],
+            [-0.011_820, 0.042_940, 0.968_881],
+        ],
+        [
+            [1.255_528, -0.076_749, -0.178_779],
+            [-0.078_411, 0.930_809, 0.147_602],
+            [0.004_733, 0.691_367, 0.303_900],
+        ],
+    ];
+
+    fn times(matrix: &[[f64; 3]; 3], v: [f64; 3]) -> [f64; 3] {
+        matrix.map(|row| row[0] * v[0] + row[1] * v[1] + row[2] * v[2])
+    }
+
+    /// A colour of a screen (sRGB) as somebody sees it, in CIELAB for the white of the screen.
+    fn seen(bytes: [u8; 3], blindness: &[[f64; 3]; 3]) -> [f64; 3] {
+        let linear = bytes.map(|byte| {
+            let c = f64::from(byte) / 255.0;
+            if c <= 0.04045 {
+                c / 12.92
+            } else {
+                ((c + 0.055) / 1.055).powf(2.4)
+            }
+        });
+        let rgb = times(blindness, linear).map(|c| c.clamp(0.0, 1.0));
+        let to_xyz = [
+            [0.4124, 0.3576, 0.1805],
+            [0.2126, 0.7152, 0.0722],
+            [0.0193, 0.1192, 0.9505],
+        ];
+        let [x, y, z] = times(&to_xyz, rgb);
+        let f = |t: f64| {
+            if t > 0.008_856 {
+                t.cbrt()
+            } else {
+                7.787 * t + 16.0 / 116.0
+            }
+        };
+        let [x, y, z] = [f(x / 0.9505), f(y), f(z / 1.089)];
+        [116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)]
+    }
+
+    /// The distance of the two colours that are nearest to each other, for those who see worst.
+    fn nearest(colors: &[[u8; 3]]) -> f64 {
+        let mut least = f64::INFINITY;
+        for blindness in &BLINDNESSES {
+            for (n, &a) in colors.iter().enumerate() {
+                for &b in &colors[..n] {
+                    let (a, b) = (seen(a, blindness), seen(b, blindness));
+                    let squares = [0, 1, 2].map(|axis| (a[axis] - b[axis]).powi(2));
+                    least = least.min(squares.iter().sum::<f64>().sqrt());
+                }
+            }
+        }
+        least
+    }
+
+    /// A distance of 2.3 in CIELAB can just be noticed side by side. Small areas apart from each other need several times
+    /// as much; 10 is common for the parts of a map.
+    const ENOUGH: f64 = 10.0;
+
+    #[test]
+    fn the_colour_blind_can_tell_apart_what_is_to_be_told_apart() {
+        let bytes = |color: Rgba| [color.r, color.g, color.b].map(|c| (c * 255.0).round() as u8);
+        let distinct: Vec<_> = DISTINCT.into_iter().chain([UNUSED]).map(bytes).collect();
+        println!("colours that tell apart: {:.1}", nearest(&distinct));
+        assert!(nearest(&distinct) > ENOUGH);
+        // The three managers, in each of the four shades.
+        for shade in 0..4 {
+            let hues = [0, 4, 8].map(|manager| {
+                let RGBColor(r, g, b) = A_BUFFERS[manager + shade].1;
+                [r, g, b]
+            });
+            println!("managers, shade {shade}: {:.1}", nearest(&hues));
+            assert!(nearest(&hues) > ENOUGH, "{hues:?}");
+        }
+        // Red and green of one lightness are what nobody should choose.
+        assert!(nearest(&[[200, 90, 40], [120, 120, 30]]) < ENOUGH);
     }
 }

@@ -1,8 +1,7 @@
 //! Where everything on a sheet is, in pixels from its top left corner.
 
-use super::Panels;
 use crate::report::canvas::{line_height, wrapped};
-use crate::report::key::{Entry, key_height};
+use crate::report::key::{Entry, Key, key_height};
 use crate::report::scale::bar_height;
 
 /// A panel is at least so wide, so that its caption has room.
@@ -11,6 +10,22 @@ const NARROWEST: u32 = 320;
 const TALLEST: u32 = 960;
 /// Text is at least so large. At half size it can still be read.
 const SMALLEST_TEXT: u32 = 20;
+
+/// What is to be placed.
+pub(super) struct Contents<'c> {
+    pub(super) title: &'c str,
+    pub(super) columns: usize,
+    pub(super) panels: Vec<PanelContents>,
+    pub(super) key: &'c Key,
+}
+
+/// A panel that is to be placed.
+pub(super) struct PanelContents {
+    /// The picture's width and height.
+    pub(super) size: [u32; 2],
+    pub(super) caption: String,
+    pub(super) has_bar: bool,
+}
 
 /// The places of a sheet's parts.
 #[derive(Clone, Debug, PartialEq)]
@@ -41,11 +56,11 @@ pub(super) struct Place {
 }
 
 impl Layout {
-    pub(super) fn of(sheet: &Panels) -> Self {
+    pub(super) fn of(sheet: &Contents<'_>) -> Self {
         let sizes: Vec<[u32; 3]> = sheet
             .panels
             .iter()
-            .map(|panel| enlarged(panel.image.width, panel.image.height))
+            .map(|panel| enlarged(panel.size))
             .collect();
         // All columns are as wide as the widest picture.
         let column = sizes.iter().map(|[width, ..]| *width).max();
@@ -56,7 +71,7 @@ impl Layout {
         let columns = sheet.columns.min(sheet.panels.len()).max(1) as u32;
         let inner = columns * column + (columns - 1) * gap;
 
-        let title = wrapped(&sheet.title, title_text, inner);
+        let title = wrapped(sheet.title, title_text, inner);
         let mut top = margin + title.len() as u32 * line_height(title_text) + text / 2;
         let mut places = Vec::new();
         for (panels, sizes) in sheet
@@ -86,7 +101,7 @@ impl Layout {
                 });
                 left += column + gap;
             }
-            let has_bar = panels.iter().any(|panel| panel.measure.is_some());
+            let has_bar = panels.iter().any(|panel| panel.has_bar);
             top = bar_top + if has_bar { bar_height(text) } else { 0 } + text / 2;
         }
 
@@ -107,7 +122,7 @@ impl Layout {
 }
 
 /// A picture's size on the sheet, and by what its own is multiplied.
-fn enlarged(width: u32, height: u32) -> [u32; 3] {
+fn enlarged([width, height]: [u32; 2]) -> [u32; 3] {
     let wider = NARROWEST.div_ceil(width.max(1));
     let taller = TALLEST / height.max(1);
     let zoom = wider.min(taller).max(1);

@@ -12,7 +12,7 @@ use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
 
-use self::layout::{Layout, Place};
+use self::layout::{Contents, Layout, PanelContents, Place};
 use super::canvas::{Drawing, Drawn, INK, both, draw_lines};
 use super::histogram::{Plot, save_either};
 use super::key::{Key, draw_key};
@@ -98,7 +98,7 @@ impl Panels {
     /// # Errors
     /// If the plotting library fails.
     pub fn draw(&self) -> Result<[Plot; 2]> {
-        let layout = Layout::of(self);
+        let layout = self.layout();
         let sheet = Sheet {
             panels: self,
             layout: &layout,
@@ -112,6 +112,20 @@ impl Panels {
         }
         svg.insert_str(end, &embedded);
         Ok([Plot::Svg(svg), Plot::Png(picture)])
+    }
+
+    fn layout(&self) -> Layout {
+        let panel = |panel: &'_ Panel| PanelContents {
+            size: [panel.image.width, panel.image.height],
+            caption: panel.caption.clone(),
+            has_bar: panel.measure.is_some(),
+        };
+        Layout::of(&Contents {
+            title: &self.title,
+            columns: self.columns,
+            panels: self.panels.iter().map(panel).collect(),
+            key: &self.key,
+        })
     }
 
     /// Writes the sheet as an SVG or a PNG, as the file's name says.

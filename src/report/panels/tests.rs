@@ -11,7 +11,7 @@ fn sheet() -> Panels {
     let (large, small) = (Image::filled(400, 300, RED), Image::filled(40, 20, BLUE));
     Panels::new(
         "What a sheet is: a long title for a picture that needs one, so long that it has two lines, because it says \
-         everything",
+         everything that could ever be said about all of it",
     )
     .columns(3)
     .picture(&large, "large")
@@ -37,7 +37,7 @@ fn svg_and_png(sheet: &Panels) -> (String, Image) {
 #[test]
 fn nothing_overlaps_and_everything_is_on_the_sheet() {
     let sheet = sheet();
-    let layout = Layout::of(&sheet);
+    let layout = sheet.layout();
     let mut boxes = Vec::new();
     for (panel, place) in sheet.panels.iter().zip(&layout.places) {
         boxes.push([place.left, place.top, place.width, place.height]);
@@ -76,10 +76,10 @@ fn a_panel_has_the_pictures_own_pixels() {
     image.pixels[5] = Rgba::opaque([0.3, 0.123_456, 0.9]);
     image.pixels[6] = Rgba::new(0.0, 0.0, 0.0, 0.25);
     let sheet = Panels::new("title").picture(&image, "caption");
-    let place = &Layout::of(&sheet).places[0];
+    let place = &sheet.layout().places[0];
     assert_eq!([place.zoom, place.width, place.height], [80, 320, 160]);
     let (_, picture) = svg_and_png(&sheet);
-    assert_eq!((picture.width, picture.height), Layout::of(&sheet).size);
+    assert_eq!((picture.width, picture.height), sheet.layout().size);
     for (x, y) in (0..4).flat_map(|x| (0..2).map(move |y| (x, y))) {
         for (dx, dy) in [(0, 0), (79, 79), (40, 3)] {
             let there = picture.pixel(place.left + 80 * x + dx, place.top + 80 * y + dy);
@@ -133,7 +133,7 @@ fn the_svg_is_well_formed_and_has_every_text_and_picture() {
 #[test]
 fn text_is_beside_the_pictures_in_pixels_too() {
     let (_, picture) = svg_and_png(&sheet());
-    let layout = Layout::of(&sheet());
+    let layout = sheet().layout();
     let dark = |top: u32, height: u32| {
         let row = picture.width as usize;
         let rows = &picture.pixels[top as usize * row..(top + height) as usize * row];
