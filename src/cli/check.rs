@@ -167,7 +167,7 @@ impl Check {
         Ok(Panels::new(&title)
             .picture(image, "the image")
             .picture(exact, "exact")
-            .measure(difference, "largest difference of a channel, 0 to 1"))
+            .measure(difference, "largest difference of a channel"))
     }
 
     fn check_size(&self, [width, height]: [u32; 2], of_scene: [u32; 2]) -> Result<()> {

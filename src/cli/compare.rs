@@ -186,8 +186,11 @@ fn read(
 /// What a panel of the sheet shows.
 fn caption(stats: &Stats, reading: Option<Reading>, error: &Errors) -> String {
     let reading = reading.map_or(String::new(), |reading| format!(", {}", reading.name()));
-    let error = error.real.max;
-    format!("{}{reading}: largest error {error:.1e}", stats.method)
+    let error = match error.real.max {
+        error if error < 0.01 => format!("{error:.1e}"),
+        error => format!("{error:.2}"),
+    };
+    format!("{}{reading}: largest error {error}", stats.method)
 }
 
 /// What came of a method.

@@ -119,8 +119,23 @@ impl Drawing for Chart<'_> {
                     legend.draw(&PathElement::new(part, color.stroke_width(3)))?;
                 }
             }
-            chart.draw_series(points().map(|point| Circle::new(point, 4, color.filled())))?;
-            legend.draw(&Circle::new((13, y), 4, color.filled()))?;
+            let filled = color.filled();
+            match Mark::of(&line.name) {
+                Mark::Circle => {
+                    chart.draw_series(points().map(|point| Circle::new(point, 5, filled)))?;
+                    legend.draw(&Circle::new((13, y), 5, filled))?;
+                }
+                Mark::Triangle => {
+                    let triangle = |point| TriangleMarker::new(point, 6, filled);
+                    chart.draw_series(points().map(triangle))?;
+                    legend.draw(&TriangleMarker::new((13, y), 6, filled))?;
+                }
+                Mark::Cross => {
+                    let cross = |point| Cross::new(point, 5, color.stroke_width(2));
+                    chart.draw_series(points().map(cross))?;
+                    legend.draw(&Cross::new((13, y), 5, color.stroke_width(2)))?;
+                }
+            }
             let style = TextStyle::from((FAMILY, 18).into_font());
             legend.draw_text(&line.name, &style, (36, y - 9))?;
         }
@@ -136,6 +151,28 @@ fn range(lines: &[CostLine], axis: usize) -> Option<[f64; 2]> {
         None => Some([place, place]),
         Some([low, high]) => Some([low.min(place), high.max(place)]),
     })
+}
+
+/// Colour is not to be the only sign of what kind of method a line is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Mark {
+    /// Peels, or draws what is sorted.
+    Circle,
+    /// Fills lists.
+    Triangle,
+    /// Blends without an order.
+    Cross,
+}
+
+impl Mark {
+    fn of(name: &str) -> Self {
+        let begins = |with: &[&str]| with.iter().any(|start| name.starts_with(start));
+        match () {
+            () if begins(&["ffb", "dfb", "ppll"]) => Self::Triangle,
+            () if begins(&["blend", "weighted", "multi-layer", "VTK alpha"]) => Self::Cross,
+            () => Self::Circle,
+        }
+    }
 }
 
 fn is_vtk(line: &CostLine) -> bool {
@@ -195,8 +232,12 @@ mod tests {
         else {
             panic!("an SVG and a picture were promised");
         };
-        // The legend has one more mark of each line.
-        assert_eq!(text.matches("<circle").count(), 6 + 3, "{text}");
+        // The legend has one more mark of each line: circles for VTK's peeling, triangles for lists, crosses of two strokes
+        // for blending.
+        assert_eq!(text.matches("<circle").count(), 1 + 1, "{text}");
+        assert_eq!(text.matches("<polygon").count(), 2 + 1, "{text}");
+        let black = r##"stroke="#000000""##;
+        assert!(text.matches(black).count() >= 2 * (3 + 1), "{text}");
         for label in [
             "title", "layers", "ms", "blend", "dfb", "VTK dual", "1", "2", "4",
         ] {

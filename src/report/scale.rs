@@ -4,7 +4,7 @@ use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
 
-use super::canvas::{Drawn, INK, draw_line, line_height, style};
+use super::canvas::{Drawn, INK, draw_line, line_height, style, width_of};
 use crate::error::Result;
 use crate::fragment::Rgba;
 use crate::image::{Comparison, Image};
@@ -135,22 +135,21 @@ impl Measure {
             [(left, top), (left + width, bottom)],
             INK.stroke_width(1),
         ))?;
-        let ticks = self.ticks();
-        for (number, value) in ticks.iter().enumerate() {
+        // From the end on, and only where there is room: the last text may be long.
+        let mut room = left + width;
+        for value in self.ticks().into_iter().rev() {
+            let label = self.label(value);
+            let takes = width_of(&label, text) as i32;
             let x = left + (value / self.most * f64::from(width)).round() as i32;
-            area.draw(&PathElement::new([(x, bottom), (x, bottom + 5)], INK))?;
             // The outer texts stay within the bar's width.
-            let across = match number {
-                0 => HPos::Left,
-                _ if x > left + width * 9 / 10 => HPos::Right,
-                _ => HPos::Center,
-            };
-            draw_line(
-                area,
-                &self.label(*value),
-                &style(text, across),
-                (x, bottom + 7),
-            )?;
+            let start = (x - takes / 2).clamp(left, (left + width - takes).max(left));
+            if start + takes > room {
+                continue;
+            }
+            area.draw(&PathElement::new([(x, bottom), (x, bottom + 5)], INK))?;
+            let at = (start, bottom + 5);
+            draw_line(area, &label, &style(text, HPos::Left), at)?;
+            room = start - text as i32 / 2;
         }
         Ok(())
     }
@@ -168,7 +167,7 @@ impl Measure {
         let last = (self.most / step + 1e-9).floor() as u32;
         let mut ticks: Vec<f64> = (0..=last).map(|n| f64::from(n) * step).collect();
         if self.is_cut() {
-            ticks.retain(|tick| *tick < self.most * 0.85);
+            ticks.retain(|tick| *tick < self.most);
             ticks.push(self.most);
         }
         ticks

@@ -95,11 +95,11 @@ fn figure_4_has_room_for_as_many_fragments_as_the_managers_allocate() {
 #[test]
 fn figure_5_has_the_slots_that_two_pixels_reserve_and_use() {
     let context = Context::headless().unwrap();
-    let scene = scene("molecule", [2, 1]);
+    let scene = scene("molecule", [1, 2]);
     let mut fragments = captured(&context, &scene, u32::MAX).unwrap();
     fragments.sort_by_key(|fragment| fragment.order);
-    let list = |x: u32| -> Vec<Fragment> {
-        let of_pixel = fragments.iter().filter(|fragment| fragment.x == x);
+    let list = |y: u32| -> Vec<Fragment> {
+        let of_pixel = fragments.iter().filter(|fragment| fragment.y == y);
         let fragment =
             |(order, fragment): (usize, &onionskin::low_level::gl::CapturedFragment)| Fragment {
                 depth: fragment.depth,
@@ -113,7 +113,7 @@ fn figure_5_has_the_slots_that_two_pixels_reserve_and_use() {
         lists.iter().all(|list| list.len() > 4),
         "both have some to sort"
     );
-    let mut renderer = Renderer::new(&context, 2, 1).unwrap();
+    let mut renderer = Renderer::new(&context, 1, 2).unwrap();
     let cases: [(_, _, &[_], u32, bool, bool); 3] = [
         ("static", &STATIC_ARRAY, &[], 64, false, false),
         ("ppAO", &PP_AO, &[PP_AO_AMENDMENT], 64, true, false),

@@ -45,7 +45,7 @@ fn check_finds_one_changed_pixel_and_shows_it_in_the_third_panel() {
     assert!(picture.width > 3 * 320 && picture.height > 240 + 60);
     let yellow = |&pixel: &u32| {
         let [r, g, b, _] = picture.pixel(pixel, row_of_the_panel(&picture)).to_array();
-        [r, g, b].map(|c| (c * 255.0).round() as u8) == [253, 231, 37]
+        [r, g, b].map(|c| (c * 255.0).round() as u8) == [254, 232, 37]
     };
     assert_eq!((0..picture.width).filter(yellow).count(), 8);
 

@@ -56,7 +56,7 @@ fn nothing_overlaps_and_everything_is_on_the_sheet() {
     boxes.push([key_left, key_top, 100, line_height(layout.text)]);
     let title = layout.title.len() as u32 * line_height(layout.title_text);
     boxes.push([layout.margin, layout.margin, 100, title]);
-    assert_eq!((layout.title.len(), boxes.len()), (2, 5 + 7 + 2 + 2));
+    assert_eq!((layout.title.len(), boxes.len()), (2, 5 + 6 + 2 + 2));
     for (n, a) in boxes.iter().enumerate() {
         assert!(
             a[0] + a[2] <= layout.size.0 && a[1] + a[3] <= layout.size.1,
