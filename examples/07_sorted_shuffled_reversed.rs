@@ -34,8 +34,7 @@ fn main() -> onionskin::Result<()> {
     for mesh in &mut shuffled.meshes {
         *mesh = mesh.shuffled(7);
     }
-    let title =
-        "Coherent layer peeling of the molecule's surface and ribbon, submitted in four orders";
+    let title = "Coherent layer peeling of the molecule, submitted in four orders";
     let mut sheet = Panels::new(title).columns(2);
     for (name, scene, sorting) in [
         ("sorted", &scene, TriangleSort::Buckets(4096)),

@@ -2,9 +2,10 @@
 
 use plotters::coord::Shift;
 use plotters::prelude::*;
+use plotters::style::text_anchor::HPos;
 
 use super::Plot;
-use super::canvas::{Drawing, Drawn, FAMILY, both};
+use super::canvas::{Drawing, Drawn, FAMILY, both, draw_line, style};
 use super::palette::A_BUFFERS;
 
 use crate::error::Result;
@@ -87,15 +88,12 @@ impl Drawing for Chart<'_> {
         chart.draw_series([PathElement::new([(0.0, 1.0), (end, 1.0)], BLACK)])?;
         for (place, group) in self.groups.iter().enumerate() {
             let (x, y) = chart.backend_coord(&(place as f64 + 0.5, 0.0));
-            let style = TextStyle::from((FAMILY, 20).into_font());
-            let width = group.name.len() as i32 * 9;
-            left.draw_text(&group.name, &style, (x - width / 2, y + 12))?;
+            draw_line(&left, &group.name, &style(20, HPos::Center), (x, y + 8))?;
         }
         for (n, (name, color)) in self.names.iter().zip(colors()).enumerate() {
             let y = 70 + 34 * n as i32;
             legend.draw(&Rectangle::new([(0, y), (22, y + 18)], color.filled()))?;
-            let style = TextStyle::from((FAMILY, 18).into_font());
-            legend.draw_text(name, &style, (30, y))?;
+            draw_line(&legend, name, &style(18, HPos::Left), (30, y - 2))?;
         }
         Ok(())
     }

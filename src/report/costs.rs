@@ -3,8 +3,9 @@
 use plotters::coord::Shift;
 use plotters::element::DashedPathElement;
 use plotters::prelude::*;
+use plotters::style::text_anchor::HPos;
 
-use super::canvas::{Drawing, Drawn, FAMILY, both};
+use super::canvas::{Drawing, Drawn, FAMILY, both, draw_line, line_height, style};
 use super::{Plot, palette};
 use crate::error::{Error, Result};
 
@@ -23,6 +24,7 @@ const SIZE: (u32, u32) = (1200, 680);
 /// The width of the part that has the legend.
 const LEGEND: u32 = 250;
 const LINE: i32 = 28;
+const TEXT: u32 = 18;
 
 /// The plot as an SVG, and in pixels. The legend stands beside the axes, in the order in which the lines end, from the top.
 /// Each method has the colour that it has in every plot; lines of VTK are broken.
@@ -136,8 +138,8 @@ impl Drawing for Chart<'_> {
                     legend.draw(&Cross::new((13, y), 5, color.stroke_width(2)))?;
                 }
             }
-            let style = TextStyle::from((FAMILY, 18).into_font());
-            legend.draw_text(&line.name, &style, (36, y - 9))?;
+            let at = (36, y - line_height(TEXT) as i32 / 2);
+            draw_line(&legend, &line.name, &style(TEXT, HPos::Left), at)?;
         }
         Ok(())
     }

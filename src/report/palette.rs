@@ -35,15 +35,15 @@ pub(super) fn of_outcome(outcome: FragmentOutcome) -> Rgba {
 
 /// Three hues of four shades for A-buffers. A hue stands for a manager, and its shades for static, ppAO, ppDP, both.
 pub(super) const A_BUFFERS: [(&str, RGBColor); 12] = [
-    ("ffb", RGBColor(0xC6, 0xDB, 0xEF)),
+    ("ffb", RGBColor(0xA6, 0xCE, 0xE3)),
     ("ffb+ppao", RGBColor(0x6B, 0xAE, 0xD6)),
     ("ffb+ppdp", RGBColor(0x21, 0x71, 0xB5)),
     ("ffb+ppao+ppdp", RGBColor(0x08, 0x30, 0x6B)),
-    ("dfb", RGBColor(0xFD, 0xD0, 0xA2)),
+    ("dfb", RGBColor(0xFD, 0xBE, 0x85)),
     ("dfb+ppao", RGBColor(0xFD, 0x8D, 0x3C)),
     ("dfb+ppdp", RGBColor(0xD9, 0x48, 0x01)),
     ("dfb+ppao+ppdp", RGBColor(0x7F, 0x27, 0x04)),
-    ("ppll", RGBColor(0x9F, 0xDC, 0xB9)),
+    ("ppll", RGBColor(0x85, 0xD6, 0xA0)),
     ("ppll+ppao", RGBColor(0x4D, 0xBE, 0x97)),
     ("ppll+ppdp", RGBColor(0x00, 0x88, 0x5F)),
     ("ppll+ppao+ppdp", RGBColor(0x00, 0x3A, 0x26)),

@@ -137,19 +137,22 @@ impl Measure {
         ))?;
         // From the end on, and only where there is room: the last text may be long.
         let mut room = left + width;
+        let mut shown = Vec::new();
         for value in self.ticks().into_iter().rev() {
             let label = self.label(value);
             let takes = width_of(&label, text) as i32;
             let x = left + (value / self.most * f64::from(width)).round() as i32;
             // The outer texts stay within the bar's width.
             let start = (x - takes / 2).clamp(left, (left + width - takes).max(left));
-            if start + takes > room {
-                continue;
+            if start + takes <= room {
+                room = start - text as i32 / 2;
+                shown.push((label, x, start));
             }
-            area.draw(&PathElement::new([(x, bottom), (x, bottom + 5)], INK))?;
-            let at = (start, bottom + 5);
-            draw_line(area, &label, &style(text, HPos::Left), at)?;
-            room = start - text as i32 / 2;
+        }
+        for (label, x, start) in shown.iter().rev() {
+            area.draw(&PathElement::new([(*x, bottom), (*x, bottom + 5)], INK))?;
+            let at = (*start, bottom + 5);
+            draw_line(area, label, &style(text, HPos::Left), at)?;
         }
         Ok(())
     }
@@ -190,7 +193,7 @@ impl Measure {
 fn short(value: f64) -> String {
     match value {
         0.0 => "0".into(),
-        value if value < 1e-3 => format!("{value:.0e}"),
+        value if value < 1e-3 => format!("{value:.1e}").replace(".0e", "e"),
         value => {
             let places = (2.0 - value.log10().floor()).clamp(0.0, 6.0) as usize;
             let text = format!("{value:.places$}");
@@ -264,10 +267,19 @@ mod tests {
 
     #[test]
     fn numbers_are_short() {
-        let all = [0.0, 0.30000000000000004, 0.125, 20.0, 100.0, 1e-5, 1000.0];
+        let all = [
+            0.0,
+            0.30000000000000004,
+            0.125,
+            20.0,
+            100.0,
+            1e-5,
+            1.5e-4,
+            1000.0,
+        ];
         assert_eq!(
             all.map(short),
-            ["0", "0.3", "0.125", "20", "100", "1e-5", "1000"]
+            ["0", "0.3", "0.125", "20", "100", "1e-5", "1.5e-4", "1000"]
         );
     }
 }
