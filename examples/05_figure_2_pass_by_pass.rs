@@ -4,7 +4,7 @@
 //! The emulated pixel says what happens to each surface. OpenGL runs the same steps beside it. The stencil value and
 //! the depth that both leave are printed under each table. One sentence of the paper's trace is wrong: see pass 3.
 //!
-//! Writes one picture with a row per pass and a column per surface.
+//! Writes one picture, as PNG and as SVG, with a row per pass and a column per surface.
 //!
 //! `cargo run --example 05_figure_2_pass_by_pass [FOLDER]`
 
@@ -123,7 +123,9 @@ fn main() -> Result<()> {
     let titles = PASSES.iter().map(|(title, _)| *title);
     let draws: Vec<(&str, &Draw)> = titles.zip(&emulator.record().draws[before..]).collect();
     let title = "Figure 2 of Carr et al. 2008: eleven surfaces at one pixel, pass by pass";
-    fates(title, &draws).save(&path)?;
+    let figure = fates(title, &draws);
+    figure.save(&path)?;
+    figure.save(path.with_extension("svg"))?;
     println!("{}", path.display());
     Ok(())
 }

@@ -31,7 +31,7 @@ fn main() -> onionskin::Result<()> {
     println!(
         "model          faces  vertices  view     coherent A     coherent B  layer peeling  its time / A's"
     );
-    let title = "Table 1 of Carr et al. 2008 on the molecule's surface: iterations";
+    let title = "Coherent layer peeling A of the molecule's surface (Carr et al. 2008, table 1)";
     let mut sheet = Panels::new(title);
     for (name, mesh) in models()? {
         for (view, direction) in VIEWS {
@@ -46,8 +46,7 @@ fn main() -> onionskin::Result<()> {
                 print!("{cell:>15}");
                 ms.push(stats.ms);
                 if name == "surface" && ms.len() == 1 {
-                    let caption =
-                        format!("{view}: {} by coherent layer peeling A", stats.iterations);
+                    let caption = format!("{view}: {} iterations", stats.iterations);
                     sheet = sheet.picture(&frame.image, &caption);
                 }
             }

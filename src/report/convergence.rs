@@ -3,8 +3,8 @@
 use plotters::coord::Shift;
 use plotters::prelude::*;
 
-use super::Plot;
 use super::canvas::{Drawing, Drawn, FAMILY, both};
+use super::{Plot, palette};
 
 use crate::error::Result;
 
@@ -26,7 +26,8 @@ const LEFT: [RGBColor; 3] = [
 const RIGHT: [RGBColor; 2] = [RGBColor(0xD5, 0x5E, 0x00), RGBColor(0xE6, 0x9F, 0x00)];
 
 /// The plot as an SVG, and in pixels. `refined` has the horizontal axis's name and its values: at least two, each
-/// greater than the one before. The left axis has up to three curves, the right one up to two.
+/// greater than the one before. The left axis has up to three curves, the right one up to two. A curve whose name has a
+/// method's in words has that method's colour.
 ///
 /// # Errors
 /// If the plotting library fails.
@@ -89,6 +90,7 @@ impl Drawing for Chart<'_> {
             .y_label_formatter(&|y| format!("{y:.0}"))
             .draw()?;
         for ((name, values), color) in self.left.curves.iter().zip(LEFT) {
+            let color = palette::of_text(name).unwrap_or(color);
             let points: Vec<_> = refined
                 .iter()
                 .copied()
@@ -105,6 +107,7 @@ impl Drawing for Chart<'_> {
                 .legend(move |(x, y)| Circle::new((x + 9, y), 5, color.filled()));
         }
         for ((name, values), color) in self.right.curves.iter().zip(RIGHT) {
+            let color = palette::of_text(name).unwrap_or(color);
             let points: Vec<_> = refined
                 .iter()
                 .copied()

@@ -59,8 +59,8 @@ const OTHERS: [(&str, RGBColor); 15] = [
     ("depth-peeling", RGBColor(0xCB, 0x18, 0x1D)),
     ("dual-depth-peeling", RGBColor(0xFB, 0x6A, 0x4A)),
     ("coplanar-depth-peeling", RGBColor(0xFC, 0xAE, 0x91)),
-    ("layer-peeling", RGBColor(0x54, 0x30, 0x05)),
-    ("hybrid-layer-peeling", RGBColor(0xC9, 0x9A, 0x2E)),
+    ("layer-peeling", RGBColor(0x00, 0x3C, 0x30)),
+    ("hybrid-layer-peeling", RGBColor(0x35, 0x97, 0x8F)),
     ("coherent-layer-peeling-a", RGBColor(0x8C, 0x51, 0x0A)),
     ("coherent-layer-peeling-b", RGBColor(0xBF, 0x81, 0x2D)),
     ("ideal-coherent-layer-peeling", RGBColor(0xDF, 0xC2, 0x7D)),
@@ -79,6 +79,17 @@ pub(super) fn of_method(name: &str) -> RGBColor {
     let mut known = A_BUFFERS.iter().chain(&OTHERS).chain(&VTK);
     let found = known.find(|(known, _)| *known == name);
     found.map_or_else(|| of_unknown(name), |(_, color)| *color)
+}
+
+/// The colour of the method that a text names in words, as in "iterations of layer peeling". Of two names the longer one
+/// counts. `None` if it names no method.
+pub(super) fn of_text(text: &str) -> Option<RGBColor> {
+    let words = text.to_lowercase().replace(' ', "-");
+    let known = A_BUFFERS.iter().chain(&OTHERS);
+    let named = known.filter(|(name, _)| name.contains('-') && words.contains(name));
+    named
+        .max_by_key(|(name, _)| name.len())
+        .map(|(_, color)| *color)
 }
 
 /// A hue by the name's letters (FNV-1a), dark enough for a line on white.
@@ -107,6 +118,15 @@ mod tests {
         // So has one that nobody has given a colour.
         let [RGBColor(r, g, b), another] = ["mine", "another"].map(of_method);
         assert!(!colors.contains(&(r, g, b)) && another != RGBColor(r, g, b));
+    }
+
+    #[test]
+    fn a_text_that_names_a_method_has_its_colour() {
+        let hybrid = of_method("hybrid-layer-peeling");
+        assert_eq!(of_text("iterations of hybrid layer peeling"), Some(hybrid));
+        let coherent = of_method("coherent-layer-peeling-a");
+        assert_eq!(of_text("coherent layer peeling A, ms"), Some(coherent));
+        assert_eq!(of_text("rms difference"), None);
     }
 
     /// Matrices for linear light of Machado, Oliveira and Fernandes (2009) for complete protanopia, deuteranopia and

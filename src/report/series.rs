@@ -36,7 +36,7 @@ const BARS: [RGBColor; BINS.len()] = [
 const LINES: [RGBColor; 3] = [
     RGBColor(0xD5, 0x5E, 0x00),
     RGBColor(0x00, 0x9E, 0x73),
-    RGBColor(0xF0, 0xE4, 0x42),
+    RGBColor(0x20, 0x20, 0x20),
 ];
 
 impl Moment {

@@ -216,3 +216,50 @@ fn readable_on(color: Rgba) -> RGBColor {
     let light = 0.2126 * color.r + 0.7152 * color.g + 0.0722 * color.b;
     if light < 0.4 { WHITE } else { INK }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn labels_end_before_the_boxes_and_rows_do_not_overlap() {
+        let grey = Rgba::opaque([0.5; 3]);
+        let row = |label: &str, boxes| Strip {
+            label: label.into(),
+            cells: vec![Cell::new(grey, 7); boxes],
+            after: vec!["251".into(), "a longer text".into()],
+        };
+        let long = "a row with a label that is so long that it has to be broken into two lines or even more";
+        let strips = Strips {
+            title: long.repeat(2),
+            heads: [Vec::new(), vec!["stencil".into(), "depth".into()]],
+            rows: vec![row("short", 12), Strip::heading("a heading"), row(long, 3)],
+            cell: 30,
+            key: Key::default(),
+        };
+        let layout = Layout::of(&strips);
+        let mut free = layout.heads_top + line_height(TEXT);
+        for (row, (lines, top, height)) in strips.rows.iter().zip(&layout.rows) {
+            assert!(*top >= free, "{}", row.label);
+            free = top + height;
+            assert!(*height >= lines.len() as u32 * line_height(TEXT));
+            for line in lines {
+                assert!(MARGIN + width_of(line, TEXT) < layout.cells, "{line}");
+            }
+        }
+        assert!(layout.rows[2].0.len() > 1 && layout.key_top >= free);
+        let boxes_end = layout.cells + 12 * strips.cell;
+        let [first, second] = [layout.after[0], layout.after[1]];
+        assert!(first - width_of("stencil", TEXT) / 2 > boxes_end);
+        let room = width_of("stencil", TEXT) / 2 + width_of("a longer text", TEXT) / 2;
+        assert!(second - first > room);
+        assert!(second + width_of("a longer text", TEXT) / 2 < layout.size.0);
+        assert!(layout.title.len() > 1);
+    }
+
+    #[test]
+    fn text_on_a_box_is_light_where_the_box_is_dark() {
+        assert_eq!(readable_on(Rgba::opaque([0.0, 0.1, 0.3])), WHITE);
+        assert_eq!(readable_on(Rgba::opaque([0.9, 0.9, 0.3])), INK);
+    }
+}
