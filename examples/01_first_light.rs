@@ -1,7 +1,8 @@
 //! A headless context and one triangle.
 //!
 //! It needs no window, no display and no GPU: the context comes from EGL's surfaceless platform or from OSMesa. The
-//! triangle's three corners are red, green and blue. It is half transparent, over white.
+//! triangle's three corners are red, green and blue. It is half transparent, over white. The picture has no caption: it
+//! is the image as a renderer leaves it.
 //!
 //! `cargo run --example 01_first_light [FOLDER]`
 

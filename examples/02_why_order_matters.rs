@@ -3,12 +3,12 @@
 //! Three interlocked knots are blended in their order of submission, and peeled. No order of whole knots is right,
 //! because each knot lies partly before and partly behind the others.
 //!
-//! Writes one picture: the peeled image on the left, the blended one in the middle, and their difference times four on
-//! the right.
+//! Writes one picture: the peeled image on the left, the blended one in the middle, and their difference on the right.
 //!
 //! `cargo run --example 02_why_order_matters [FOLDER]`
 
-use onionskin::{Comparison, Context, Method, Renderer, Scene, difference_picture};
+use onionskin::report::Panels;
+use onionskin::{Comparison, Context, Method, Renderer, Scene};
 
 #[path = "common/example.rs"]
 mod example;
@@ -33,7 +33,15 @@ fn main() -> onionskin::Result<()> {
     }
 
     let path = example::output("02_why_order_matters.png")?;
-    difference_picture(&peeled.image, &blended.image, 4.0)?.save(&path)?;
+    Panels::new("Why order matters: three interlocked knots (Everitt 2001, figure 1)")
+        .picture(&peeled.image, "depth peeling: right")
+        .picture(&blended.image, "blended in the order of submission: wrong")
+        .difference(
+            &peeled.image,
+            &blended.image,
+            "difference of the two, 0 to 1",
+        )?
+        .save(&path)?;
     println!("{}", path.display());
     Ok(())
 }

@@ -9,12 +9,17 @@
 //! `cargo run --example 03_layers_one_by_one [FOLDER]`
 
 use onionskin::options::{Compositing, DepthPeelingOptions};
+use onionskin::report::Panels;
 use onionskin::{Context, Image, Layer, Method, Renderer, Rgba, Scene};
 
 #[path = "common/example.rs"]
 mod example;
 
 const WHITE: Rgba = Rgba::opaque([1.0; 3]);
+/// As the scene file has them, before they are lit.
+const OUTSIDE: [f32; 3] = [0.95, 0.1, 0.05];
+const INSIDE: [f32; 3] = [0.05, 0.85, 0.15];
+const PLANE: [f32; 3] = [0.15, 0.25, 0.95];
 
 fn main() -> onionskin::Result<()> {
     let scene = Scene::load_at(example::scene("teapot.toml"), Some([512, 384]))?;
@@ -26,20 +31,21 @@ fn main() -> onionskin::Result<()> {
     let frame =
         Renderer::new(&context, 512, 384)?.render(&scene, &Method::DepthPeeling(options))?;
 
+    let mut sheet = Panels::new("The layers one by one (Everitt 2001, figure 3)").columns(2);
     for (number, layer) in frame.layers.iter().enumerate() {
         let samples = layer.depth.iter().filter(|&&depth| depth < 1.0).count();
         println!("layer {number}: {samples:6} samples");
+        if number < 4 {
+            let caption = format!("layer {number}: {samples} samples");
+            sheet = sheet.picture(&opaque(layer), &caption);
+        }
     }
-
-    let pictures: Vec<Image> = frame.layers.iter().take(4).map(opaque).collect();
     let path = example::output("03_layers_one_by_one.png")?;
-    Image::grid(
-        &pictures.iter().collect::<Vec<_>>(),
-        2,
-        4,
-        Rgba::opaque([0.6; 3]),
-    )
-    .save(&path)?;
+    sheet
+        .key(Rgba::opaque(OUTSIDE), "outside")
+        .key(Rgba::opaque(INSIDE), "inside")
+        .key(Rgba::opaque(PLANE), "plane")
+        .save(&path)?;
     println!("{}", path.display());
     Ok(())
 }

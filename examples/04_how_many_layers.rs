@@ -8,7 +8,8 @@
 //! `cargo run --example 04_how_many_layers [FOLDER]`
 
 use onionskin::options::DepthPeelingOptions;
-use onionskin::{Comparison, Context, Image, Method, Renderer, Rgba, Scene};
+use onionskin::report::Panels;
+use onionskin::{Comparison, Context, Method, Renderer, Scene};
 
 #[path = "common/example.rs"]
 mod example;
@@ -20,7 +21,8 @@ fn main() -> onionskin::Result<()> {
     let exact = renderer.render(&scene, &Method::Exact)?;
 
     println!("layers  fragments left  maximum error  rms error");
-    let mut pictures = Vec::new();
+    let title = "How many layers are enough? (Everitt 2001, the second figure 5)";
+    let mut sheet = Panels::new(title).columns(2);
     for maximum_number_of_peels in 1..=4 {
         let options = DepthPeelingOptions {
             maximum_number_of_peels,
@@ -33,17 +35,15 @@ fn main() -> onionskin::Result<()> {
             "{maximum_number_of_peels:6} {left:15} {:14.4} {:10.5}",
             error.max, error.rms
         );
-        pictures.push(frame.image);
+        let caption = format!(
+            "layers: {maximum_number_of_peels}, rms error {:.5}",
+            error.rms
+        );
+        sheet = sheet.picture(&frame.image, &caption);
     }
 
     let path = example::output("04_how_many_layers.png")?;
-    Image::grid(
-        &pictures.iter().collect::<Vec<_>>(),
-        2,
-        4,
-        Rgba::opaque([0.6; 3]),
-    )
-    .save(&path)?;
+    sheet.save(&path)?;
     println!("{}", path.display());
     Ok(())
 }

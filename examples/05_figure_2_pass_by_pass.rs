@@ -4,13 +4,12 @@
 //! The emulated pixel says what happens to each surface. OpenGL runs the same steps beside it. The stencil value and
 //! the depth that both leave are printed under each table. One sentence of the paper's trace is wrong: see pass 3.
 //!
-//! Writes one picture with a row per pass and a column per surface. Grey surfaces are clipped, red ones fail the
-//! stencil test, orange ones the depth test, and green ones pass.
+//! Writes one picture, as PNG and as SVG, with a row per pass and a column per surface.
 //!
 //! `cargo run --example 05_figure_2_pass_by_pass [FOLDER]`
 
 use onionskin::generate::{Quads, quads};
-use onionskin::low_level::emulator::{Emulator, FragmentOutcome, Group, Record, Surface};
+use onionskin::low_level::emulator::{Draw, Emulator, Group, Surface};
 use onionskin::low_level::gl::{Geometry, GlMachine, capture};
 use onionskin::low_level::methods::{allocate_maps, begin_batch};
 use onionskin::low_level::papers::carr_2008::coherent::{
@@ -20,7 +19,8 @@ use onionskin::low_level::papers::carr_2008::passes::{PASS_1, PASS_2, PASS_3, PA
 use onionskin::low_level::papers::carr_2008::{D_SN, DEPTH_BUFFER, Z_MIN_POST, Z_MIN_PREV};
 use onionskin::low_level::papers::stage;
 use onionskin::low_level::steps::{self, Dialect, Listing, Variables, Workspace, gl::*, run};
-use onionskin::{Context, Format, Fragment, Image, Result, Rgba, Scene, steps};
+use onionskin::report::fates;
+use onionskin::{Context, Format, Fragment, Result, Scene, steps};
 
 #[path = "common/example.rs"]
 mod example;
@@ -120,7 +120,12 @@ fn main() -> Result<()> {
     }
 
     let path = example::output("05_figure_2_pass_by_pass.png")?;
-    picture(emulator.record(), before).save(&path)?;
+    let titles = PASSES.iter().map(|(title, _)| *title);
+    let draws: Vec<(&str, &Draw)> = titles.zip(&emulator.record().draws[before..]).collect();
+    let title = "Figure 2 of Carr et al. 2008: eleven surfaces at one pixel, pass by pass";
+    let figure = fates(title, &draws);
+    figure.save(&path)?;
+    figure.save(path.with_extension("svg"))?;
     println!("{}", path.display());
     Ok(())
 }
@@ -170,24 +175,4 @@ fn surfaces(gl: &mut GlMachine<'_>) -> Result<Vec<Surface>> {
         group: Group::Unsorted,
     };
     Ok(captured.iter().map(surface).collect())
-}
-
-fn picture(record: &Record, from: usize) -> Image {
-    let square = |outcome| {
-        let color = match outcome {
-            FragmentOutcome::Discarded => [0.85; 3],
-            FragmentOutcome::StencilFail => [0.8, 0.2, 0.2],
-            FragmentOutcome::DepthFail => [0.95, 0.6, 0.15],
-            FragmentOutcome::Pass => [0.2, 0.65, 0.3],
-        };
-        Image::filled(44, 44, Rgba::opaque(color))
-    };
-    let fates = record.draws[from..].iter().flat_map(|draw| &draw.fates);
-    let squares: Vec<Image> = fates.map(|fate| square(fate.outcome)).collect();
-    Image::grid(
-        &squares.iter().collect::<Vec<_>>(),
-        FRONT_TO_BACK.len(),
-        4,
-        Rgba::opaque([1.0; 3]),
-    )
 }

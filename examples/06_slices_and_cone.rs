@@ -10,6 +10,7 @@
 
 use onionskin::generate::{Slices, SubmissionOrder, slices};
 use onionskin::options::Variant;
+use onionskin::report::Panels;
 use onionskin::{Context, Method, Renderer, Scene};
 
 #[path = "common/example.rs"]
@@ -49,7 +50,13 @@ fn main() -> onionskin::Result<()> {
 
     let frame = renderer.render(&scene(64)?, &methods[1])?;
     let path = example::output("06_slices_and_cone.png")?;
-    frame.image.save(&path)?;
+    let caption = format!(
+        "hybrid layer peeling: {} iterations",
+        frame.stats.iterations
+    );
+    Panels::new("64 slices of a volume with a cone in it (Carr et al. 2008, figures 1 and 3)")
+        .picture(&frame.image, &caption)
+        .save(&path)?;
     println!("{}", path.display());
     Ok(())
 }

@@ -3,11 +3,12 @@
 //! The triangles of the molecule's surface and ribbon are sorted front to back, in the files' order, shuffled, and
 //! sorted back to front.
 //!
-//! Writes one picture: the molecule.
+//! Writes one picture: the molecule in each order.
 //!
 //! `cargo run --example 07_sorted_shuffled_reversed [FOLDER]`
 
 use onionskin::options::{CoherentOptions, TriangleSort, Variant};
+use onionskin::report::Panels;
 use onionskin::{Comparison, Context, Method, Renderer, Scene};
 
 #[path = "common/example.rs"]
@@ -33,6 +34,8 @@ fn main() -> onionskin::Result<()> {
     for mesh in &mut shuffled.meshes {
         *mesh = mesh.shuffled(7);
     }
+    let title = "Coherent layer peeling of the molecule, submitted in four orders";
+    let mut sheet = Panels::new(title).columns(2);
     for (name, scene, sorting) in [
         ("sorted", &scene, TriangleSort::Buckets(4096)),
         ("as in the files", &scene, TriangleSort::Submission),
@@ -49,10 +52,12 @@ fn main() -> onionskin::Result<()> {
             "{name:<15} {:4} iterations {:4} geometry passes, maximum error {error:.1e}",
             frame.stats.iterations, frame.stats.geometry_passes
         );
+        let caption = format!("{name}: {} iterations", frame.stats.iterations);
+        sheet = sheet.picture(&frame.image, &caption);
     }
 
     let path = example::output("07_sorted_shuffled_reversed.png")?;
-    exact.image.save(&path)?;
+    sheet.save(&path)?;
     println!("{}", path.display());
     Ok(())
 }

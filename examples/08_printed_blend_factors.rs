@@ -12,7 +12,8 @@
 
 use onionskin::low_level::steps::{Amendment, gl::*};
 use onionskin::options::{CoherentOptions, TriangleSort, Variant};
-use onionskin::{Comparison, Context, Method, Renderer, Scene, difference_picture, steps};
+use onionskin::report::Panels;
+use onionskin::{Comparison, Context, Method, Renderer, Scene, steps};
 
 #[path = "common/example.rs"]
 mod example;
@@ -55,7 +56,15 @@ fn main() -> onionskin::Result<()> {
     println!("{} pixels differ by more than 1/255", error.over);
 
     let path = example::output("08_printed_blend_factors.png")?;
-    difference_picture(&amended.image, &printed.image, 4.0)?.save(&path)?;
+    Panels::new("The blend factors of Carr et al. 2008, section 6")
+        .picture(&amended.image, "as the text says: ZERO, DEST_ALPHA")
+        .picture(&printed.image, "as printed: DEST_ALPHA, ZERO")
+        .difference(
+            &amended.image,
+            &printed.image,
+            "difference of the two, 0 to 1",
+        )?
+        .save(&path)?;
     println!("{}", path.display());
     Ok(())
 }

@@ -8,7 +8,8 @@
 //! `cargo run --example 09_ideal_gpu [FOLDER]`
 
 use onionskin::options::{CoherentOptions, IdealOptions, Reading, TriangleSort, Variant};
-use onionskin::{Comparison, Context, Method, Renderer, Scene, difference_picture};
+use onionskin::report::Panels;
+use onionskin::{Comparison, Context, Method, Renderer, Scene};
 
 #[path = "common/example.rs"]
 mod example;
@@ -63,7 +64,18 @@ fn main() -> onionskin::Result<()> {
     }
 
     let path = example::output("09_ideal_gpu.png")?;
-    difference_picture(&frames[0].image, &frames[1].image, 4.0)?.save(&path)?;
+    Panels::new("Algorithm 2 of Carr et al. 2008 on three interlocked knots")
+        .picture(&frames[0].image, "as amended")
+        .picture(
+            &frames[1].image,
+            "as printed: the last layer is composited again and again",
+        )
+        .difference(
+            &frames[0].image,
+            &frames[1].image,
+            "difference of the two, 0 to 1",
+        )?
+        .save(&path)?;
     println!("{}", path.display());
     Ok(())
 }

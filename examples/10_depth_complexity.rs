@@ -1,13 +1,12 @@
 //! How many layers does each pixel have (Lindholm et al. 2015, figure 1)?
 //!
 //! Counts the molecule's fragments by additive blending and, as the paper does, by atomic counters. The counts agree.
-//! Prints how steeply the histogram falls. Writes the depth complexity image beside the histogram's plot, and the plot
-//! as SVG.
+//! Prints how steeply the histogram falls. Writes the depth complexity image, and the histogram's plot as SVG.
 //!
 //! `cargo run --example 10_depth_complexity [FOLDER]`
 
-use onionskin::report::{Plot, PlotKind, picture, plot};
-use onionskin::{Context, CountBy, Image, Renderer, Rgba, Scene};
+use onionskin::report::{Measure, Panels, PlotKind, plot};
+use onionskin::{Context, CountBy, Renderer, Scene};
 
 #[path = "common/example.rs"]
 mod example;
@@ -32,17 +31,11 @@ fn main() -> onionskin::Result<()> {
 
     let svg = example::output("10_depth_complexity.svg")?;
     plot("molecule", &complexity, 1, PlotKind::Svg)?.save(&svg)?;
-    let mut pictures = vec![picture(&complexity)];
-    if let Plot::Png(histogram) = plot("molecule", &complexity, 1, PlotKind::Png)? {
-        pictures.push(histogram);
-    }
     let path = example::output("10_depth_complexity.png")?;
-    Image::beside(
-        &pictures.iter().collect::<Vec<_>>(),
-        8,
-        Rgba::opaque([1.0; 3]),
-    )
-    .save(&path)?;
+    let layers = Measure::of_counts(640, 480, &complexity.counts).inverted();
+    Panels::new("Depth complexity of the molecule (Lindholm et al. 2015, figure 1)")
+        .measure(layers, "layers at each pixel")
+        .save(&path)?;
     println!("{}\n{}", path.display(), svg.display());
     Ok(())
 }

@@ -4,11 +4,12 @@
 //! For that, DFB takes a prefix scan, and PPLL a link per fragment. The images are the same, bit for bit. With half of
 //! its bytes as the budget, FFB renders in bands, and the image is still the same.
 //!
-//! Writes the picture, which is the same for all managers.
+//! Draws figure 4 from the fragments of a row of six pixels.
 //!
 //! `cargo run --example 11_three_memory_managers [FOLDER]`
 
 use onionskin::options::{ABufferOptions, Manager};
+use onionskin::report::memory_layout;
 use onionskin::{Context, Method, Renderer, Scene};
 
 #[path = "common/example.rs"]
@@ -50,9 +51,16 @@ fn main() -> onionskin::Result<()> {
             if *first == frame.image { "yes" } else { "no" }
         );
     }
-    if let Some(image) = first {
-        let path = example::output("11_three_memory_managers.png")?;
-        image.save(&path)?;
+
+    let scene = Scene::load_at(example::scene("knots.toml"), Some([6, 5]))?;
+    let fragments = example::fragments(&context, &scene)?;
+    let row = fragments.iter().filter(|fragment| fragment.y == 2);
+    let pixels: Vec<u32> = row.map(|fragment| fragment.x).collect();
+    let title = "Three memory managers (Lindholm et al. 2015, figure 4): six pixels of the knots";
+    let figure = memory_layout(title, 6, &pixels);
+    for ending in ["svg", "png"] {
+        let path = example::output(&format!("11_three_memory_managers.{ending}"))?;
+        figure.save(&path)?;
         println!("{}", path.display());
     }
     Ok(())

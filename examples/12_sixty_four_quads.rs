@@ -4,12 +4,19 @@
 //! the molecule, few pixels are deep. Prints the reserved and the used elements of Local Arrays, whose difference is
 //! figure 5's grey, and the number of records that are read from the lists.
 //!
-//! Writes the picture of the 64 quads.
+//! Draws figure 5 from two pixels of the molecule, the deepest and one that is deeper than a quarter, by runs on the emulated pixel.
 //!
 //! `cargo run --example 12_sixty_four_quads [FOLDER]`
 
+use std::collections::BTreeMap;
+
+use onionskin::low_level::emulator::run_on_lists;
+use onionskin::low_level::papers::lindholm_2015::components::{
+    PP_AO, PP_AO_AMENDMENT, PP_DP, PP_DP_AMENDMENTS, STATIC_ARRAY,
+};
 use onionskin::options::{ABufferOptions, Manager};
-use onionskin::{Context, Method, Renderer, Scene};
+use onionskin::report::local_arrays;
+use onionskin::{Context, Fragment, Method, Renderer, Scene};
 
 #[path = "common/example.rs"]
 mod example;
@@ -41,13 +48,44 @@ fn main() -> onionskin::Result<()> {
                     counts.slots_reserved, counts.slots_used, counts.records_read, counts.subpasses
                 );
             }
-            if file == "sheets64.toml" && !pp_ao && !pp_dp {
-                frame
-                    .image
-                    .save(example::output("12_sixty_four_quads.png")?)?;
-            }
         }
     }
-    println!("{}", example::output("12_sixty_four_quads.png")?.display());
+    figure_5(&context)
+}
+
+fn figure_5(context: &Context) -> onionskin::Result<()> {
+    let scene = Scene::load_at(example::scene("molecule.toml"), Some(SIZE))?;
+    let mut pixels = BTreeMap::<_, Vec<Fragment>>::new();
+    for fragment in example::fragments(context, &scene)? {
+        let list = pixels.entry((fragment.y, fragment.x)).or_default();
+        list.push(Fragment {
+            depth: fragment.depth,
+            color: fragment.color,
+            order: list.len() as u32,
+        });
+    }
+    let mut lists: Vec<_> = pixels.into_values().collect();
+    lists.sort_by_key(Vec::len);
+    let two = [
+        lists[lists.len() - 1].clone(),
+        lists[lists.len() / 4].clone(),
+    ];
+    let run = |algorithm, amendments: &[_], array| {
+        run_on_lists(algorithm, amendments, &two, array, 64).map(|run| run.pixels)
+    };
+    let fixed = run(&STATIC_ARRAY, &[], 64)?;
+    let pp_ao = run(&PP_AO, &[PP_AO_AMENDMENT], 64)?;
+    let pp_dp = run(&PP_DP, &PP_DP_AMENDMENTS, 8)?;
+    let runs = [("static", &fixed), ("ppAO", &pp_ao), ("ppDP", &pp_dp)];
+    let figure = local_arrays(
+        "Local Arrays (Lindholm et al. 2015, figure 5): two pixels of the molecule",
+        [0, 1].map(|n| two[n].len() as u32),
+        &runs.map(|(name, pixels)| (name, [&pixels[0], &pixels[1]])),
+    );
+    for ending in ["svg", "png"] {
+        let path = example::output(&format!("12_sixty_four_quads.{ending}"))?;
+        figure.save(&path)?;
+        println!("{}", path.display());
+    }
     Ok(())
 }

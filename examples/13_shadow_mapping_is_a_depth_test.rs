@@ -10,6 +10,7 @@
 //! `cargo run --example 13_shadow_mapping_is_a_depth_test [FOLDER]`
 
 use onionskin::options::{Compositing, DepthPeelingOptions, DepthUnit0};
+use onionskin::report::Panels;
 use onionskin::{Comparison, Context, Frame, Image, Layer, Method, Renderer, Rgba, Scene};
 
 #[path = "common/example.rs"]
@@ -51,8 +52,13 @@ fn main() -> onionskin::Result<()> {
     let map = shadow_map(&replaced.layers[0]);
     let layer = opaque(&replaced.layers[1]);
     let path = example::output("13_shadow_mapping_is_a_depth_test.png")?;
-    let pictures = [&map, &layer, &replaced.image, &classic.image];
-    Image::grid(&pictures, 2, 4, Rgba::opaque([0.6; 3])).save(&path)?;
+    Panels::new("Shadow mapping is a depth test (Everitt 2001)")
+        .columns(2)
+        .picture(&map, "the second peel's shadow map: darker is nearer")
+        .picture(&layer, "the layer that passes it")
+        .picture(&replaced.image, "with Listing 2: right")
+        .picture(&classic.image, "without Listing 2: wrong")
+        .save(&path)?;
     println!("{}", path.display());
     Ok(())
 }

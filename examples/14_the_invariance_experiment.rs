@@ -5,18 +5,15 @@
 //! 16, 24 or 32 bits. Renderers use fudge factors where the two sides do not agree, and these are tried, too. At the
 //! end, the rounding of colours is measured in three formats of the image.
 //!
-//! Writes one picture of the wrong pixels. A grey pixel is right, a red one repeats a layer for ever, an orange one has
-//! some layer twice, and a blue one lacks a layer. Above: r/q against window z with a bias of 0, 1e-7 and 2e-3. Below:
-//! window z against itself in 24 bits, depth replace in 24 bits, and depth replace in 32-bit floats.
+//! Writes one picture of the wrong pixels.
 //!
 //! `cargo run --example 14_the_invariance_experiment [FOLDER]`
 
 use onionskin::generate::{Quads, SubmissionOrder, quads};
-use onionskin::low_level::methods::invariance::{
-    Finding, Verdict, perspective_soup, run_experiment,
-};
+use onionskin::low_level::methods::invariance::{Verdict, perspective_soup, run_experiment};
 use onionskin::options::{Comparator, DepthPeelingOptions, DepthSource, Experiment};
-use onionskin::{Comparison, Context, Format, Image, Method, Renderer, Result, Rgba, Scene};
+use onionskin::report::Panels;
+use onionskin::{Comparison, Context, Format, Image, Method, Renderer, Result, Scene};
 
 #[path = "common/example.rs"]
 mod example;
@@ -171,27 +168,32 @@ fn picture(context: &Context) -> Result<()> {
         ..Experiment::default()
     });
     let with_bias = |bias| Experiment { bias, ..mixed };
-    let mut findings: Vec<Finding> = Vec::new();
-    for experiment in [mixed, with_bias(1e-7), with_bias(2e-3)] {
-        findings.push(run_experiment(context, &scene, &exact, experiment, D32F)?);
-    }
-    for (experiment, format) in [
-        (window_z, Format::Depth24),
-        (replaced, Format::Depth24),
-        (replaced, D32F),
+    let title = "An invariance issue (Everitt 2001): depths that were stored, and others that are compared with them";
+    let mut sheet = Panels::new(title).columns(3);
+    for (caption, experiment) in [
+        ("window z : r/q, no bias", mixed),
+        ("window z : r/q, bias 1e-7", with_bias(1e-7)),
+        ("window z : r/q, bias 2e-3", with_bias(2e-3)),
     ] {
-        findings.push(run_experiment(
-            context,
-            &near,
-            &near_exact,
-            experiment,
-            format,
-        )?);
+        let finding = run_experiment(context, &scene, &exact, experiment, D32F)?;
+        sheet = sheet.picture(&finding.picture(), caption);
     }
-    let pictures: Vec<Image> = findings.iter().map(Finding::picture).collect();
+    for (caption, experiment, format) in [
+        ("window z : window z, 24 bits", window_z, Format::Depth24),
+        ("depth replace : r/q, 24 bits", replaced, Format::Depth24),
+        ("depth replace : r/q, 32-bit floats", replaced, D32F),
+    ] {
+        let finding = run_experiment(context, &near, &near_exact, experiment, format)?;
+        sheet = sheet.picture(&finding.picture(), caption);
+    }
     let path = example::output("14_the_invariance_experiment.png")?;
-    let references: Vec<_> = pictures.iter().collect();
-    Image::grid(&references, 3, 4, Rgba::opaque([0.4; 3])).save(&path)?;
+    sheet
+        .key(Verdict::Right.color(), "right")
+        .key(Verdict::Stuck.color(), "repeats a layer for ever")
+        .key(Verdict::Doubled.color(), "has a layer twice")
+        .key(Verdict::Missing.color(), "lacks a layer")
+        .key(Verdict::Reordered.color(), "in another order")
+        .save(&path)?;
     println!("{}", path.display());
     Ok(())
 }

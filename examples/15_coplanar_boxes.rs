@@ -10,10 +10,11 @@
 //! `cargo run --example 15_coplanar_boxes [FOLDER]`
 
 use glam::{DVec3, Vec3};
-use onionskin::low_level::methods::coplanar::{Shown, shown};
+use onionskin::low_level::methods::coplanar::shown;
+use onionskin::report::{Measure, Panels};
 use onionskin::{
-    Camera, Comparison, Context, Format, Image, Mesh, Method, Renderer, Rgba, Scene, Shading,
-    Vertex, registry,
+    Camera, Comparison, Context, Format, Mesh, Method, Renderer, Rgba, Scene, Shading, Vertex,
+    registry,
 };
 
 #[path = "common/example.rs"]
@@ -58,29 +59,18 @@ fn main() -> onionskin::Result<()> {
         .image;
     let found = shown(&context, &scene, &plain, Format::Depth32FStencil8)?;
     let path = example::output("15_coplanar_boxes.png")?;
-    let pictures = [&exact.image, &image, &where_missing(&found)];
-    Image::beside(&pictures, 4, Rgba::opaque([0.6; 3])).save(&path)?;
+    let pairs = found.submitted.iter().zip(&found.shown);
+    let missing: Vec<u32> = pairs.map(|(s, shown)| s.saturating_sub(*shown)).collect();
+    Panels::new("Three boxes that touch: two faces at exactly one depth")
+        .picture(&exact.image, "exact")
+        .picture(&image, "plain depth peeling keeps one of the two")
+        .measure(
+            Measure::of_counts(SIZE[0], SIZE[1], &missing),
+            "fragments missing at each pixel",
+        )
+        .save(&path)?;
     println!("{}", path.display());
     Ok(())
-}
-
-/// The picture of missing fragments: white if a pixel has no fragment, light grey if it has all, and the bluer the more
-/// are missing.
-fn where_missing(found: &Shown) -> Image {
-    let pairs = found.submitted.iter().zip(&found.shown);
-    let color = |(&submitted, &shown): (&u32, &u32)| match submitted.saturating_sub(shown) {
-        _ if submitted == 0 => Rgba::opaque([1.0; 3]),
-        0 => Rgba::opaque([0.85; 3]),
-        missing => {
-            let light = 0.75 / missing as f32;
-            Rgba::opaque([0.1 * light, 0.4 * light, 0.35 + 0.6 * light])
-        }
-    };
-    Image {
-        width: SIZE[0],
-        height: SIZE[1],
-        pixels: pairs.map(color).collect(),
-    }
 }
 
 /// Three boxes in a row, each touching the next.

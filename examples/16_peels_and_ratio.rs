@@ -8,7 +8,8 @@
 //! `cargo run --release --example 16_peels_and_ratio [FOLDER]`
 
 use onionskin::options::{DepthPeelingOptions, DualDepthPeelingOptions};
-use onionskin::{Comparison, Context, Frame, Image, Method, Renderer, Result, Rgba, Scene};
+use onionskin::report::Panels;
+use onionskin::{Comparison, Context, Frame, Image, Method, Renderer, Result, Scene};
 
 #[path = "common/example.rs"]
 mod example;
@@ -53,8 +54,13 @@ fn main() -> Result<()> {
     }
 
     let path = example::output("16_peels_and_ratio.png")?;
-    let pictures: Vec<&Image> = pictures.iter().flatten().collect();
-    Image::grid(&pictures, 3, 4, Rgba::opaque([0.6; 3])).save(&path)?;
+    let mut sheet = Panels::new("The molecule after a number of peels").columns(3);
+    for (name, pictures) in ["depth peeling", "dual peeling"].iter().zip(&pictures) {
+        for (peels, picture) in [1, 4, 12].iter().zip(pictures) {
+            sheet = sheet.picture(picture, &format!("{name}, peels: {peels}"));
+        }
+    }
+    sheet.save(&path)?;
     println!("{}", path.display());
     Ok(())
 }

@@ -5,7 +5,7 @@
 //! radius R as σ (1 - r²/R²). So a ray with half a chord of h inside has the optical depth 4σh³ / 3R², and lets
 //! exp(-4σh³ / 3R²) of the light through. A pane lets 1 - α of it through.
 //!
-//! Writes the picture, and prints how far it is from the closed form. The finer the lattice of samples, the smaller the
+//! Writes the picture, and shows how far it is from the closed form. The finer the lattice of samples, the smaller the
 //! difference.
 //!
 //! `cargo run --example 17_fog_between_panes [FOLDER]`
@@ -14,9 +14,10 @@ use glam::{DAffine3, DVec3};
 use onionskin::generate::{Quads, quads};
 use onionskin::low_level::oracle::volumes::Ray;
 use onionskin::options::{ABufferOptions, RecordColor};
+use onionskin::report::{Measure, Panels};
 use onionskin::{
-    Camera, Context, Image, Mesh, Method, Renderer, Scene, Transfer, TransferPoint, Transform,
-    Volume,
+    Camera, Context, Image, Mesh, Method, Renderer, Rgba, Scene, Transfer, TransferPoint,
+    Transform, Volume,
 };
 
 #[path = "common/example.rs"]
@@ -47,10 +48,18 @@ fn main() -> onionskin::Result<()> {
     for samples in [9, 17, 33, 65, 129] {
         let scene = scene(samples)?;
         let frame = renderer.render(&scene, &method)?;
-        println!("{samples:>14}  {:.1e}", difference(&scene, &frame.image));
+        let differences = differences(&scene, &frame.image);
+        let largest = differences.iter().copied().fold(0.0, f64::max);
+        println!("{samples:>14}  {largest:.1e}");
         if samples == 129 {
             let path = example::output("17_fog_between_panes.png")?;
-            frame.image.save(&path)?;
+            Panels::new("A ball of fog between two panes (Lindholm et al. 2015, section 6)")
+                .picture(&frame.image, "fog of 129 samples a side")
+                .measure(
+                    Measure::new(SIZE[0], SIZE[1], differences),
+                    "difference from the closed form, 0 to 1",
+                )
+                .save(&path)?;
             println!("{}", path.display());
         }
     }
@@ -134,15 +143,17 @@ fn closed_form(scene: &Scene, pixel: [u32; 2]) -> [f64; 3] {
     light
 }
 
-/// The largest difference of any channel of any pixel.
-fn difference(scene: &Scene, image: &Image) -> f64 {
+/// The largest difference of any channel, for each pixel.
+fn differences(scene: &Scene, image: &Image) -> Vec<f64> {
     let [width, height] = SIZE;
-    let mut largest = 0.0_f64;
-    for (number, found) in (0..width * height).zip(&image.pixels) {
+    let of_pixel = |(number, found): (u32, &Rgba)| {
         let expected = closed_form(scene, [number % width, height - 1 - number / width]);
-        for (found, expected) in found.to_array().into_iter().zip(expected) {
-            largest = largest.max((f64::from(found) - expected).abs());
-        }
-    }
-    largest
+        let channels = found.to_array().into_iter().zip(expected);
+        let off = channels.map(|(found, expected)| (f64::from(found) - expected).abs());
+        off.fold(0.0, f64::max)
+    };
+    (0..width * height)
+        .zip(&image.pixels)
+        .map(of_pixel)
+        .collect()
 }

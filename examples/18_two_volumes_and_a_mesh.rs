@@ -4,12 +4,13 @@
 //! sampled together. The ring's surfaces cut the rays. A pixel's list is short, but ppDP with arrays of 2 still
 //! resolves it in several subpasses. Between them it keeps the ray's position and the volumes around it.
 //!
-//! Writes the picture, and prints how far each method is from the f64 caster. Records keep colours in 16 bits, as
+//! Writes the picture beside its difference from the f64 caster's, and prints how far each method is from the f64 caster. Records keep colours in 16 bits, as
 //! published.
 //!
 //! `cargo run --example 18_two_volumes_and_a_mesh [FOLDER]`
 
 use onionskin::options::{ABufferOptions, Manager};
+use onionskin::report::Panels;
 use onionskin::{Comparison, Context, Method, Renderer, Scene};
 
 #[path = "common/example.rs"]
@@ -39,7 +40,10 @@ fn main() -> onionskin::Result<()> {
             println!("{:<16} {subpasses:>17}  {difference:.1e}", method.name());
             if frame.stats.method == "dfb" {
                 let path = example::output("18_two_volumes_and_a_mesh.png")?;
-                frame.image.save(&path)?;
+                Panels::new("A vortex in fog, and a glass ring through both (Lindholm et al. 2015, section 6)")
+                    .picture(&frame.image, "dfb: rays between the fragments of lists")
+                    .difference(&frame.image, &exact.image, "difference from the f64 caster, 0 to 1")?
+                    .save(&path)?;
             }
         }
     }

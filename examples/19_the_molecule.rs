@@ -8,6 +8,7 @@
 //! `cargo run --release --example 19_the_molecule [FOLDER]`
 
 use onionskin::options::{ABufferOptions, Manager};
+use onionskin::report::Panels;
 use onionskin::{Animation, Comparison, Context, CountBy, Method, Renderer};
 
 #[path = "common/example.rs"]
@@ -36,7 +37,6 @@ fn main() -> onionskin::Result<()> {
         ..ABufferOptions::default()
     });
     let frame = renderer.render(&scene, &fused)?;
-    frame.image.save(&example::output("19_the_molecule.png")?)?;
 
     let exact = renderer.render(&scene, &Method::Exact)?;
     let off = |image| Comparison::new(image, &exact.image, 1e-3);
@@ -49,12 +49,14 @@ fn main() -> onionskin::Result<()> {
     let mut surfaces = scene;
     surfaces.volumes.clear();
     let alone = renderer.render(&surfaces, &fused)?;
-    alone
-        .image
-        .save(&example::output("19_surfaces_alone.png")?)?;
     println!(
         "without the volumes: {:.1e} from it",
         off(&alone.image)?.max
     );
+    Panels::new("The molecule in its electrostatic potential (Lindholm et al. 2015, figure 1)")
+        .picture(&frame.image, "surfaces, and volumes at two resolutions")
+        .picture(&alone.image, "the surfaces alone")
+        .difference(&frame.image, &alone.image, "difference of the two, 0 to 1")?
+        .save(example::output("19_the_molecule.png")?)?;
     Ok(())
 }

@@ -16,6 +16,7 @@ use onionskin::{Animation, Context, CountBy, Method, Renderer};
 mod example;
 
 const SIZE: [u32; 2] = [192, 144];
+const TITLE: &str = "Layers and costs along a camera path (Lindholm et al. 2015, figure 2)";
 const NAMES: [&str; 3] = ["list records read", "subpasses", "time"];
 
 fn main() -> onionskin::Result<()> {
@@ -39,7 +40,7 @@ fn main() -> onionskin::Result<()> {
         let ratios = [0, 1, 2].map(|n| costs[n] / first[n]);
         moments.push(Moment::new(frame, &complexity, ratios.to_vec()));
     }
-    let [svg, png] = series("molecule, dolly in and out", &NAMES, &moments)?;
+    let [svg, png] = series(TITLE, &NAMES, &moments)?;
     let path = example::output("20_figure_2_over_time.png")?;
     png.save(&path)?;
     svg.save(&path.with_extension("svg"))?;

@@ -10,7 +10,7 @@
 //! `cargo run --release --example 21_both_papers_on_one_scene [FOLDER]`
 
 use onionskin::options::{ABufferOptions, RecordColor};
-use onionskin::report::{Curves, convergence};
+use onionskin::report::{Curves, Panels, convergence};
 use onionskin::{Comparison, Context, Method, Renderer, Scene};
 
 #[path = "common/example.rs"]
@@ -70,17 +70,16 @@ fn main() -> onionskin::Result<()> {
     svg.save(&path.with_extension("svg"))?;
 
     let scene = Scene::load_at(example::scene("fog.toml"), Some([320, 240]))?;
-    let mut panels = Vec::new();
+    let mut sheet = Panels::new(
+        "Two volumes and a ring: slices (Carr et al. 2008), rays (Lindholm et al. 2015)",
+    );
     for count in [12, 96] {
-        panels.push(
-            renderer(&context, &scene, count)?
-                .render(&scene, &hybrid)?
-                .image,
-        );
+        let frame = renderer(&context, &scene, count)?.render(&scene, &hybrid)?;
+        sheet = sheet.picture(&frame.image, &format!("{count} slices"));
     }
-    panels.push(renderer(&context, &scene, 1)?.render(&scene, &rays)?.image);
+    let frame = renderer(&context, &scene, 1)?.render(&scene, &rays)?;
     let path = example::output("21_both_papers_on_one_scene.png")?;
-    example::sheet(&panels, 3).save(&path)?;
+    sheet.picture(&frame.image, "rays").save(&path)?;
     println!("{}", path.display());
     Ok(())
 }

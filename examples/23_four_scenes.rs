@@ -9,13 +9,19 @@
 //! `cargo run --release --example 23_four_scenes [FOLDER]`
 
 use onionskin::options::{ABufferOptions, Manager};
+use onionskin::report::Panels;
 use onionskin::{Context, CountBy, Method, Renderer, Scene};
 
 #[path = "common/example.rs"]
 mod example;
 
 const SIZE: [u32; 2] = [400, 300];
-const SCENES: [&str; 4] = ["molecule_fused", "space", "medical", "flow"];
+const SCENES: [(&str, &str); 4] = [
+    ("molecule_fused", "molecule"),
+    ("space", "ejection of the sun"),
+    ("medical", "fibres in a head"),
+    ("flow", "flow"),
+];
 
 fn main() -> onionskin::Result<()> {
     let context = Context::headless()?;
@@ -26,8 +32,9 @@ fn main() -> onionskin::Result<()> {
         ..ABufferOptions::default()
     });
     println!("scene           triangles  volumes  fragments  layers: most  median");
-    let mut pictures = Vec::new();
-    for name in SCENES {
+    let title = "Four scenes after Lindholm et al. 2015, table 1";
+    let mut sheet = Panels::new(title).columns(2);
+    for (name, of_what) in SCENES {
         let path = example::scene(&format!("{name}.toml"));
         let scene = Scene::load_at(path, Some(SIZE))?;
         let complexity = renderer.complexity(&scene, CountBy::Blending)?;
@@ -39,10 +46,11 @@ fn main() -> onionskin::Result<()> {
             complexity.max(),
             complexity.percentile(0.5)
         );
-        pictures.push(renderer.render(&scene, &rays)?.image);
+        let caption = format!("{of_what}: up to {} layers", complexity.max());
+        sheet = sheet.picture(&renderer.render(&scene, &rays)?.image, &caption);
     }
     let path = example::output("23_four_scenes.png")?;
-    example::sheet(&pictures, 2).save(&path)?;
+    sheet.save(&path)?;
     println!("{}", path.display());
     Ok(())
 }

@@ -66,7 +66,7 @@ fn main() -> onionskin::Result<()> {
             of_what: "iterations".into(),
             curves: vec![
                 curve("layer peeling", 0, iterations),
-                curve("coherent layer peeling", 2, iterations),
+                curve("coherent layer peeling A", 2, iterations),
                 curve("hybrid layer peeling", 1, iterations),
             ],
         },
@@ -74,7 +74,7 @@ fn main() -> onionskin::Result<()> {
             of_what: "milliseconds".into(),
             curves: vec![
                 curve("layer peeling, ms", 0, |stats| stats.ms),
-                curve("coherent layer peeling, ms", 2, |stats| stats.ms),
+                curve("coherent layer peeling A, ms", 2, |stats| stats.ms),
             ],
         },
     )?;

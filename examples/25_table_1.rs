@@ -7,6 +7,7 @@
 
 use onionskin::generate::{Teapot, TorusKnot, teapot, torus_knot};
 use onionskin::options::Variant;
+use onionskin::report::Panels;
 use onionskin::{Camera, Context, Mesh, Method, Renderer, Scene};
 
 #[path = "common/example.rs"]
@@ -30,7 +31,8 @@ fn main() -> onionskin::Result<()> {
     println!(
         "model          faces  vertices  view     coherent A     coherent B  layer peeling  its time / A's"
     );
-    let mut pictures = Vec::new();
+    let title = "Coherent layer peeling A of the molecule's surface (Carr et al. 2008, table 1)";
+    let mut sheet = Panels::new(title);
     for (name, mesh) in models()? {
         for (view, direction) in VIEWS {
             let scene = seen_from(&mesh, direction);
@@ -44,7 +46,8 @@ fn main() -> onionskin::Result<()> {
                 print!("{cell:>15}");
                 ms.push(stats.ms);
                 if name == "surface" && ms.len() == 1 {
-                    pictures.push(frame.image);
+                    let caption = format!("{view}: {} iterations", stats.iterations);
+                    sheet = sheet.picture(&frame.image, &caption);
                 }
             }
             println!("{:>16.2}", ms[2] / ms[0]);
@@ -54,7 +57,7 @@ fn main() -> onionskin::Result<()> {
         "the paper's table: 2.5 to 8.7 times as many iterations by layer peeling, and 0.8 to 3 times the time"
     );
     let path = example::output("25_table_1.png")?;
-    example::sheet(&pictures, VIEWS.len()).save(&path)?;
+    sheet.save(&path)?;
     println!("{}", path.display());
     Ok(())
 }

@@ -2,7 +2,11 @@
 
 use std::path::{Path, PathBuf};
 
-use onionskin::Image;
+use onionskin::low_level::gl::{CapturedFragment, Geometry, GlMachine, capture};
+use onionskin::low_level::methods::allocate_maps;
+use onionskin::low_level::papers::stage;
+use onionskin::low_level::steps::{Variables, run};
+use onionskin::{Context, Format, Scene};
 
 /// A file in the folder that the first argument names, or in `out` without an argument. The folder is made if it is
 /// missing.
@@ -24,19 +28,16 @@ pub fn scene(name: &str) -> PathBuf {
         .join(name)
 }
 
-/// Pictures of the same size, in rows of `columns`.
-#[allow(dead_code)] // most examples show one
-pub fn sheet(pictures: &[Image], columns: usize) -> Image {
-    let (width, height) = (pictures[0].width, pictures[0].height);
-    let lines = pictures.chunks_exact(columns).flat_map(|row| {
-        (0..height as usize).flat_map(move |y| {
-            let line = y * width as usize..(y + 1) * width as usize;
-            row.iter().flat_map(move |p| &p.pixels[line.clone()])
-        })
-    });
-    Image {
-        width: width * columns as u32,
-        height: height * (pictures.len() / columns) as u32,
-        pixels: lines.copied().collect(),
-    }
+/// Every transparent fragment that no opaque surface hides, in the order of submission.
+#[allow(dead_code)] // most examples look at images only
+pub fn fragments(context: &Context, scene: &Scene) -> onionskin::Result<Vec<CapturedFragment>> {
+    let mut machine = GlMachine::new(context, scene.size)?;
+    let (color, depth) = (Format::Rgba32F, Format::Depth32FStencil8);
+    allocate_maps(&mut machine, &[&stage::RESOURCES], color, depth)?;
+    machine.set_geometry(Geometry::upload(context, scene, scene.size)?);
+    machine.begin_frame();
+    run(&stage::OPAQUE_FIRST, &[], Variables::new(), &mut machine)?;
+    let mut fragments = capture(&mut machine, stage::OPAQUE_DEPTH, u32::MAX)?;
+    fragments.sort_by_key(|fragment| (fragment.order, fragment.y, fragment.x));
+    Ok(fragments)
 }

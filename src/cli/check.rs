@@ -6,6 +6,7 @@ use std::process::ExitCode;
 
 use clap::Args;
 use onionskin::low_level::image::{FileKind, check_writable, resemblance};
+use onionskin::report::{Measure, Panels};
 use onionskin::{Comparison, Error, Frame, Image, Result, Scene, difference_picture};
 use serde::Serialize;
 
@@ -33,10 +34,11 @@ pub(super) struct Check {
     /// for rounding to 8 bits, and half a step for a renderer that truncates
     #[arg(long, value_name = "DIFFERENCE", default_value_t = 1.0 / 255.0, hide_default_value = true)]
     bound: f64,
-    /// The file of the difference picture, .png or .exr [default: difference.png, if it can be written]
+    /// The file of the difference picture: .png with captions and a scale, .exr with the three panels' values alone
+    /// [default: difference.png, if it can be written]
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
-    /// The factor by which differences are multiplied in the picture, to make them visible
+    /// The factor by which differences are multiplied in the picture, to make them visible. The scale ends at 1/FACTOR
     #[arg(long, value_name = "FACTOR", default_value_t = 8.0)]
     gain: f32,
     /// Print one JSON object and nothing else
@@ -86,7 +88,7 @@ impl Check {
         drop(progress);
         let comparison = Comparison::new(&image, &exact.image, self.bound)?;
         let verdict = self.verdict(&scene, &image, &exact, &comparison)?;
-        let picture = self.write(&difference_picture(&image, &exact.image, self.gain)?)?;
+        let picture = self.write(&scene.name, &image, &exact.image)?;
         if self.json {
             print_json(&verdict)?;
         } else {
@@ -138,12 +140,15 @@ impl Check {
 
     /// Writes the difference picture to --output, or to its default file if that is possible. The verdict does not
     /// depend on it.
-    fn write(&self, picture: &Image) -> Result<Option<&Path>> {
+    fn write(&self, scene: &str, image: &Image, exact: &Image) -> Result<Option<&Path>> {
         if let Some(path) = &self.output {
-            picture.save(path)?;
+            match FileKind::of(path)? {
+                FileKind::Exr => difference_picture(image, exact, self.gain)?.save(path)?,
+                _ => self.panels(scene, image, exact)?.save(path)?,
+            }
             return Ok(Some(path));
         }
-        match picture.save(DIFFERENCE) {
+        match self.panels(scene, image, exact)?.save(DIFFERENCE) {
             Ok(()) => Ok(Some(Path::new(DIFFERENCE))),
             Err(Error::Output { what, .. }) => {
                 note(format_args!(
@@ -153,6 +158,16 @@ impl Check {
             }
             Err(other) => Err(other),
         }
+    }
+
+    /// The picture for people, with captions, and a scale that ends where a difference times the gain is 1.
+    fn panels(&self, scene: &str, image: &Image, exact: &Image) -> Result<Panels> {
+        let difference = Measure::difference(image, exact)?.up_to(1.0 / f64::from(self.gain));
+        let title = format!("{}, checked against {scene}", self.image.display());
+        Ok(Panels::new(&title)
+            .picture(image, "the image")
+            .picture(exact, "exact")
+            .measure(difference, "largest difference of a channel"))
     }
 
     fn check_size(&self, [width, height]: [u32; 2], of_scene: [u32; 2]) -> Result<()> {

@@ -1,10 +1,13 @@
 //! `onionskin compare`: several methods on one scene.
 
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::Args;
 use comfy_table::{CellAlignment, Table, presets};
+use onionskin::low_level::image::check_writable;
 use onionskin::options::Reading;
+use onionskin::report::{Panels, PlotKind};
 use onionskin::{Context, CountBy, Method, Renderer, Result, Scene, Stats, registry};
 
 use super::loss::loss;
@@ -40,14 +43,21 @@ pub(super) struct Compare {
     /// amended. What a reading loses is lost to the paper's silence or to its errors
     #[arg(long)]
     readings: bool,
+    /// A sheet of all images, each with its method's name and its largest error, .png or .svg
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
     /// Print one JSON object per method and nothing else
     #[arg(long)]
     json: bool,
 }
 
+/// The panels in a row of the sheet.
+const COLUMNS: usize = 4;
+
 const EXAMPLES: &str = "\
 Examples:
   onionskin compare scene.toml
+  onionskin compare scene.toml -m blend,weighted-blended,depth-peeling -o sheet.png
   onionskin compare scene.toml -m coherent-layer-peeling-a --readings
   onionskin compare model.obj -m blend,depth-peeling --size 640x480
   onionskin compare scene.toml --json | jq 'select(.max_error > 0.01) | .method'";
@@ -56,6 +66,10 @@ impl Compare {
     pub(super) fn run(self) -> Result<ExitCode> {
         // Wrong names of methods are reported before anything long begins.
         let mut methods = self.methods()?;
+        if let Some(path) = &self.output {
+            PlotKind::of(path)?;
+            check_writable(path)?;
+        }
         let scene = self.setup.scene()?;
         self.slices.check_scene(&scene)?;
         if self.method == "all" && !scene.volumes.is_empty() {
@@ -80,6 +94,9 @@ impl Compare {
         let exact = self.setup.exact(&mut renderer, &scene)?;
         progress.part_done();
         let mut results = Vec::new();
+        let mut sheet = Panels::new(&format!("{}, by several methods", scene.name))
+            .columns(COLUMNS)
+            .picture(&exact.image, "exact");
         for method in methods {
             for reading in self.readings_of(&method) {
                 progress.next(&method.to_string());
@@ -87,7 +104,10 @@ impl Compare {
                 let frame = renderer.measure(&scene, &method, FRAMES)?;
                 let error = Errors::new(&frame, &exact)?;
                 progress.part_done();
-                // No method's image is kept, because many of them may be large.
+                // Without a sheet no method's image is kept, because many of them may be large.
+                if self.output.is_some() {
+                    sheet = sheet.picture(&frame.image, &caption(&frame.stats, reading, &error));
+                }
                 results.push(Row {
                     stats: frame.stats,
                     error,
@@ -96,6 +116,9 @@ impl Compare {
             }
         }
         drop(progress);
+        if let Some(path) = &self.output {
+            sheet.save(path)?;
+        }
         if self.json {
             for row in &results {
                 let record = Record::new(&scene.name, &row.stats, &row.error);
@@ -158,6 +181,16 @@ fn read(
         }
     }
     Ok(method)
+}
+
+/// What a panel of the sheet shows.
+fn caption(stats: &Stats, reading: Option<Reading>, error: &Errors) -> String {
+    let reading = reading.map_or(String::new(), |reading| format!(", {}", reading.name()));
+    let error = match error.real.max {
+        error if error < 0.01 => format!("{error:.1e}"),
+        error => format!("{error:.2}"),
+    };
+    format!("{}{reading}: largest error {error}", stats.method)
 }
 
 /// What came of a method.

@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use clap::Args;
 use onionskin::low_level::image::{FileKind, check_writable};
 use onionskin::low_level::words::Words;
-use onionskin::report::{self, PlotKind};
+use onionskin::report::{self, Measure, Panels, PlotKind};
 use onionskin::{Complexity, CountBy, Error, Result};
 use serde::Serialize;
 
@@ -24,7 +24,8 @@ use super::words::one_of;
 pub(super) struct Complexities {
     #[command(flatten)]
     setup: Setup,
-    /// The file of the picture of all pixels' complexities, .png or .exr
+    /// The file of the picture of all pixels' complexities: .png with a scale, .exr with the values alone, 1 less the part
+    /// of the most layers
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
     /// The file of the histogram's plot, .svg or .png. Its axis of pixels is logarithmic
@@ -106,7 +107,10 @@ impl Complexities {
 
     fn write(&self, name: &str, complexity: &Complexity) -> Result<()> {
         if let Some(path) = &self.output {
-            report::picture(complexity).save(path)?;
+            match FileKind::of(path)? {
+                FileKind::Exr => report::picture(complexity).save(path)?,
+                _ => panel(name, complexity).save(path)?,
+            }
         }
         if let Some(path) = &self.plot {
             report::plot(name, complexity, self.bin, PlotKind::of(path)?)?.save(path)?;
@@ -168,6 +172,13 @@ impl Complexities {
         text.truncate(text.trim_end().len());
         text
     }
+}
+
+/// The picture for people, with a scale.
+fn panel(name: &str, complexity: &Complexity) -> Panels {
+    let (width, height) = (complexity.width, complexity.height);
+    let layers = Measure::of_counts(width, height, &complexity.counts).inverted();
+    Panels::new(&format!("Depth complexity: {name}")).measure(layers, "layers at each pixel")
 }
 
 /// A bar on a logarithmic scale. The longest one has 40 characters.

@@ -74,17 +74,19 @@ impl Image {
             FileKind::Png => (self.to_bytes(encoding), ImageFormat::Png),
             FileKind::Exr => (self.to_floats(), ImageFormat::OpenExr),
         };
-        // The encoders need to seek, which a buffer allows.
-        let mut buffer = Cursor::new(Vec::new());
-        picture
-            .write_to(&mut buffer, format)
-            .map_err(|error| Error::Output {
-                path: path.to_owned(),
-                what: error.to_string(),
-                remedy: "render it smaller, or as another kind of picture".into(),
-                source: None,
-            })?;
-        write_whole(path, buffer.get_ref())
+        let bytes = encoded(&picture, format).map_err(|what| Error::Output {
+            path: path.to_owned(),
+            what,
+            remedy: "render it smaller, or as another kind of picture".into(),
+            source: None,
+        })?;
+        write_whole(path, &bytes)
+    }
+
+    /// The bytes of a PNG, 8-bit values linear, or why it cannot be one.
+    #[cfg(feature = "report")]
+    pub(crate) fn to_png(&self) -> Result<Vec<u8>, String> {
+        encoded(&self.to_bytes(Encoding::Linear), ImageFormat::Png)
     }
 
     fn to_bytes(&self, encoding: Encoding) -> DynamicImage {
@@ -106,6 +108,14 @@ impl Image {
         let picture = Rgba32FImage::from_raw(self.width, self.height, floats);
         DynamicImage::ImageRgba32F(picture.expect("four floats for each pixel"))
     }
+}
+
+fn encoded(picture: &DynamicImage, format: ImageFormat) -> Result<Vec<u8>, String> {
+    // The encoders need to seek, which a buffer allows.
+    let mut buffer = Cursor::new(Vec::new());
+    let written = picture.write_to(&mut buffer, format);
+    written.map_err(|error| error.to_string())?;
+    Ok(buffer.into_inner())
 }
 
 /// IEC 61966-2-1's encoding of a linear value.

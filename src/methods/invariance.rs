@@ -73,23 +73,30 @@ impl Finding {
         self.pixels.iter().filter(fine).count()
     }
 
-    /// A picture of the verdicts. An empty pixel is white and a right one grey. A pixel that misses fragments is blue,
-    /// one with another order yellow, one with doubled fragments orange, and a stuck one red.
+    /// A picture of the verdicts, in their colours.
     pub fn picture(&self) -> Image {
-        let color = |verdict: &Verdict| match verdict {
-            Verdict::Empty => [1.0, 1.0, 1.0],
-            Verdict::Right => [0.8, 0.8, 0.8],
-            Verdict::Reordered => [0.95, 0.85, 0.2],
-            Verdict::Missing => [0.15, 0.35, 0.85],
-            Verdict::Doubled => [0.95, 0.5, 0.1],
-            Verdict::Stuck => [0.8, 0.05, 0.1],
-        };
-        let pixels = self.pixels.iter().map(color).map(Rgba::opaque);
         Image {
             width: self.image.width,
             height: self.image.height,
-            pixels: pixels.collect(),
+            pixels: self.pixels.iter().map(Verdict::color).collect(),
         }
+    }
+}
+
+impl Verdict {
+    /// The colour in pictures. An empty pixel is white and a right one grey. A pixel that misses fragments is blue, one
+    /// with another order purple, one with doubled fragments yellow, and a stuck one vermilion. The colour-blind can tell
+    /// them apart (Okabe and Ito's colours).
+    pub fn color(&self) -> Rgba {
+        let [r, g, b] = match self {
+            Self::Empty => [0xFF, 0xFF, 0xFF],
+            Self::Right => [0xDD, 0xDD, 0xDD],
+            Self::Reordered => [0xCC, 0x79, 0xA7],
+            Self::Missing => [0x00, 0x72, 0xB2],
+            Self::Doubled => [0xF0, 0xE4, 0x42],
+            Self::Stuck => [0xD5, 0x5E, 0x00],
+        };
+        Rgba::opaque([r, g, b].map(|byte: u8| f32::from(byte) / 255.0))
     }
 }
 

@@ -2,12 +2,13 @@
 
 use plotters::coord::Shift;
 use plotters::prelude::*;
+use plotters::style::text_anchor::HPos;
 
 use super::Plot;
-use super::canvas::{FAMILY, in_pixels, register_the_font};
+use super::canvas::{Drawing, Drawn, FAMILY, both, draw_line, style};
 use super::palette::A_BUFFERS;
 
-use crate::error::{Error, Result};
+use crate::error::Result;
 
 /// A group of bars.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,18 +31,14 @@ pub fn bars(
     names: &[String],
     groups: &[BarGroup],
 ) -> Result<[Plot; 2]> {
-    register_the_font();
     let chart = Chart {
         caption,
         of_what,
         names,
         groups,
     };
-    let mut text = String::new();
-    chart.draw(SVGBackend::with_string(&mut text, SIZE).into_drawing_area())?;
-    let mut bytes = vec![0; (SIZE.0 * SIZE.1 * 3) as usize];
-    chart.draw(BitMapBackend::with_buffer(&mut bytes, SIZE).into_drawing_area())?;
-    Ok([Plot::Svg(text), Plot::Png(in_pixels(SIZE, &bytes))])
+    let (svg, picture) = both(SIZE, &chart)?;
+    Ok([Plot::Svg(svg), Plot::Png(picture)])
 }
 
 fn colors() -> impl Iterator<Item = RGBColor> {
@@ -55,58 +52,50 @@ struct Chart<'a> {
     groups: &'a [BarGroup],
 }
 
-impl Chart<'_> {
-    fn draw<B: DrawingBackend>(&self, area: DrawingArea<B, Shift>) -> Result<()> {
+impl Drawing for Chart<'_> {
+    const WHAT: &'static str = "the bars";
+
+    fn draw<B: DrawingBackend>(&self, area: &DrawingArea<B, Shift>) -> Drawn<B> {
         let heights = self.groups.iter().flat_map(|group| &group.heights);
         let top = heights.copied().fold(1.0, f64::max) * 1.1;
         // On either side of a group there is space as wide as a bar.
         let width = 1.0 / (self.names.len() + 2) as f64;
         let end = self.groups.len().max(1) as f64;
-        let plot = || {
-            area.fill(&WHITE)?;
-            let (left, legend) = area.split_horizontally(SIZE.0 - 200);
-            let mut chart = ChartBuilder::on(&left)
-                .caption(self.caption, (FAMILY, 24))
-                .margin(16)
-                .x_label_area_size(40)
-                .y_label_area_size(64)
-                .build_cartesian_2d(0.0..end, 0.0..top)?;
-            chart
-                .configure_mesh()
-                .disable_x_mesh()
-                .disable_x_axis()
-                .light_line_style(TRANSPARENT)
-                .y_desc(self.of_what)
-                .axis_desc_style((FAMILY, 20))
-                .label_style((FAMILY, 18))
-                .draw()?;
-            for (n, color) in (0..self.names.len()).zip(colors()) {
-                let bars = self.groups.iter().enumerate().filter_map(|(place, group)| {
-                    let x = place as f64 + (n + 1) as f64 * width;
-                    let ends = [(x, 0.0), (x + 0.9 * width, *group.heights.get(n)?)];
-                    Some(Rectangle::new(ends, color.filled()))
-                });
-                chart.draw_series(bars)?;
-            }
-            chart.draw_series([PathElement::new([(0.0, 1.0), (end, 1.0)], BLACK)])?;
-            for (place, group) in self.groups.iter().enumerate() {
-                let (x, y) = chart.backend_coord(&(place as f64 + 0.5, 0.0));
-                let style = TextStyle::from((FAMILY, 20).into_font());
-                let width = group.name.len() as i32 * 9;
-                left.draw_text(&group.name, &style, (x - width / 2, y + 12))?;
-            }
-            for (n, (name, color)) in self.names.iter().zip(colors()).enumerate() {
-                let y = 70 + 34 * n as i32;
-                legend.draw(&Rectangle::new([(0, y), (22, y + 18)], color.filled()))?;
-                let style = TextStyle::from((FAMILY, 18).into_font());
-                legend.draw_text(name, &style, (30, y))?;
-            }
-            area.present()
-        };
-        plot().map_err(|e: DrawingAreaErrorKind<B::ErrorType>| Error::Plot {
-            what: "the bars",
-            answer: e.to_string(),
-        })
+        let (left, legend) = area.split_horizontally(SIZE.0 - 200);
+        let mut chart = ChartBuilder::on(&left)
+            .caption(self.caption, (FAMILY, 24))
+            .margin(16)
+            .x_label_area_size(40)
+            .y_label_area_size(64)
+            .build_cartesian_2d(0.0..end, 0.0..top)?;
+        chart
+            .configure_mesh()
+            .disable_x_mesh()
+            .disable_x_axis()
+            .light_line_style(TRANSPARENT)
+            .y_desc(self.of_what)
+            .axis_desc_style((FAMILY, 20))
+            .label_style((FAMILY, 18))
+            .draw()?;
+        for (n, color) in (0..self.names.len()).zip(colors()) {
+            let bars = self.groups.iter().enumerate().filter_map(|(place, group)| {
+                let x = place as f64 + (n + 1) as f64 * width;
+                let ends = [(x, 0.0), (x + 0.9 * width, *group.heights.get(n)?)];
+                Some(Rectangle::new(ends, color.filled()))
+            });
+            chart.draw_series(bars)?;
+        }
+        chart.draw_series([PathElement::new([(0.0, 1.0), (end, 1.0)], BLACK)])?;
+        for (place, group) in self.groups.iter().enumerate() {
+            let (x, y) = chart.backend_coord(&(place as f64 + 0.5, 0.0));
+            draw_line(&left, &group.name, &style(20, HPos::Center), (x, y + 8))?;
+        }
+        for (n, (name, color)) in self.names.iter().zip(colors()).enumerate() {
+            let y = 70 + 34 * n as i32;
+            legend.draw(&Rectangle::new([(0, y), (22, y + 18)], color.filled()))?;
+            draw_line(&legend, name, &style(18, HPos::Left), (30, y - 2))?;
+        }
+        Ok(())
     }
 }
 

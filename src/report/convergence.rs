@@ -3,10 +3,10 @@
 use plotters::coord::Shift;
 use plotters::prelude::*;
 
-use super::Plot;
-use super::canvas::{FAMILY, in_pixels, register_the_font};
+use super::canvas::{Drawing, Drawn, FAMILY, both};
+use super::{Plot, palette};
 
-use crate::error::{Error, Result};
+use crate::error::Result;
 
 /// A vertical axis and its curves.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,14 +19,15 @@ pub struct Curves {
 
 const SIZE: (u32, u32) = (1000, 600);
 const LEFT: [RGBColor; 3] = [
-    RGBColor(0x21, 0x71, 0xB5),
+    RGBColor(0x00, 0x72, 0xB2),
     RGBColor(0x10, 0x2A, 0x43),
-    RGBColor(0x6A, 0x3D, 0x9A),
+    RGBColor(0xCC, 0x79, 0xA7),
 ];
-const RIGHT: [RGBColor; 2] = [RGBColor(0xD9, 0x48, 0x01), RGBColor(0x8C, 0x6D, 0x31)];
+const RIGHT: [RGBColor; 2] = [RGBColor(0xD5, 0x5E, 0x00), RGBColor(0xE6, 0x9F, 0x00)];
 
 /// The plot as an SVG, and in pixels. `refined` has the horizontal axis's name and its values: at least two, each
-/// greater than the one before. The left axis has up to three curves, the right one up to two.
+/// greater than the one before. The left axis has up to three curves, the right one up to two. A curve whose name has a
+/// method's in words has that method's colour.
 ///
 /// # Errors
 /// If the plotting library fails.
@@ -36,18 +37,14 @@ pub fn convergence(
     left: &Curves,
     right: &Curves,
 ) -> Result<[Plot; 2]> {
-    register_the_font();
     let chart = Chart {
         caption,
         refined,
         left,
         right,
     };
-    let mut text = String::new();
-    chart.draw(SVGBackend::with_string(&mut text, SIZE).into_drawing_area())?;
-    let mut bytes = vec![0; (SIZE.0 * SIZE.1 * 3) as usize];
-    chart.draw(BitMapBackend::with_buffer(&mut bytes, SIZE).into_drawing_area())?;
-    Ok([Plot::Svg(text), Plot::Png(in_pixels(SIZE, &bytes))])
+    let (svg, picture) = both(SIZE, &chart)?;
+    Ok([Plot::Svg(svg), Plot::Png(picture)])
 }
 
 struct Chart<'c> {
@@ -57,86 +54,83 @@ struct Chart<'c> {
     right: &'c Curves,
 }
 
-impl Chart<'_> {
-    fn draw<B: DrawingBackend>(&self, area: DrawingArea<B, Shift>) -> Result<()> {
-        let plot = || {
-            area.fill(&WHITE)?;
-            let (name, refined) = self.refined;
-            let ends = [refined[0], refined[refined.len() - 1]];
-            let across = || (ends[0] / 1.15..ends[1] * 1.15).log_scale();
-            let mut chart = ChartBuilder::on(&area)
-                .caption(self.caption, (FAMILY, 24))
-                .margin(16)
-                .x_label_area_size(48)
-                .y_label_area_size(76)
-                .right_y_label_area_size(76)
-                .build_cartesian_2d(
-                    across().with_key_points(refined.to_vec()),
-                    self.left.range().log_scale(),
-                )?
-                .set_secondary_coord(across(), self.right.range().log_scale());
+impl Drawing for Chart<'_> {
+    const WHAT: &'static str = "the curves";
+
+    fn draw<B: DrawingBackend>(&self, area: &DrawingArea<B, Shift>) -> Drawn<B> {
+        let (name, refined) = self.refined;
+        let ends = [refined[0], refined[refined.len() - 1]];
+        let across = || (ends[0] / 1.15..ends[1] * 1.15).log_scale();
+        let mut chart = ChartBuilder::on(area)
+            .caption(self.caption, (FAMILY, 24))
+            .margin(16)
+            .x_label_area_size(48)
+            .y_label_area_size(76)
+            .right_y_label_area_size(76)
+            .build_cartesian_2d(
+                across().with_key_points(refined.to_vec()),
+                self.left.range().log_scale(),
+            )?
+            .set_secondary_coord(across(), self.right.range().log_scale());
+        chart
+            .configure_mesh()
+            .light_line_style(TRANSPARENT)
+            .x_desc(name)
+            .y_desc(&self.left.of_what)
+            .axis_desc_style((FAMILY, 20))
+            .label_style((FAMILY, 18))
+            .x_label_formatter(&|x| format!("{x:.0}"))
+            .y_label_formatter(&|y| format!("{y:.0e}"))
+            .draw()?;
+        chart
+            .configure_secondary_axes()
+            .y_desc(&self.right.of_what)
+            .axis_desc_style((FAMILY, 20))
+            .label_style((FAMILY, 18))
+            .y_label_formatter(&|y| format!("{y:.0}"))
+            .draw()?;
+        for ((name, values), color) in self.left.curves.iter().zip(LEFT) {
+            let color = palette::of_text(name).unwrap_or(color);
+            let points: Vec<_> = refined
+                .iter()
+                .copied()
+                .zip(values.iter().copied())
+                .collect();
+            let line = PathElement::new(points.clone(), color.stroke_width(3));
+            chart.draw_series([line])?;
+            let marks = points
+                .into_iter()
+                .map(|point| Circle::new(point, 5, color.filled()));
             chart
-                .configure_mesh()
-                .light_line_style(TRANSPARENT)
-                .x_desc(name)
-                .y_desc(&self.left.of_what)
-                .axis_desc_style((FAMILY, 20))
-                .label_style((FAMILY, 18))
-                .x_label_formatter(&|x| format!("{x:.0}"))
-                .y_label_formatter(&|y| format!("{y:.0e}"))
-                .draw()?;
+                .draw_series(marks)?
+                .label(name)
+                .legend(move |(x, y)| Circle::new((x + 9, y), 5, color.filled()));
+        }
+        for ((name, values), color) in self.right.curves.iter().zip(RIGHT) {
+            let color = palette::of_text(name).unwrap_or(color);
+            let points: Vec<_> = refined
+                .iter()
+                .copied()
+                .zip(values.iter().copied())
+                .collect();
+            let line = PathElement::new(points.clone(), color.stroke_width(2));
+            chart.draw_secondary_series([line])?;
+            let marks = points
+                .into_iter()
+                .map(|point| TriangleMarker::new(point, 7, color.filled()));
             chart
-                .configure_secondary_axes()
-                .y_desc(&self.right.of_what)
-                .axis_desc_style((FAMILY, 20))
-                .label_style((FAMILY, 18))
-                .y_label_formatter(&|y| format!("{y:.0}"))
-                .draw()?;
-            for ((name, values), color) in self.left.curves.iter().zip(LEFT) {
-                let points: Vec<_> = refined
-                    .iter()
-                    .copied()
-                    .zip(values.iter().copied())
-                    .collect();
-                let line = PathElement::new(points.clone(), color.stroke_width(3));
-                chart.draw_series([line])?;
-                let marks = points
-                    .into_iter()
-                    .map(|point| Circle::new(point, 5, color.filled()));
-                chart
-                    .draw_series(marks)?
-                    .label(name)
-                    .legend(move |(x, y)| Circle::new((x + 9, y), 5, color.filled()));
-            }
-            for ((name, values), color) in self.right.curves.iter().zip(RIGHT) {
-                let points: Vec<_> = refined
-                    .iter()
-                    .copied()
-                    .zip(values.iter().copied())
-                    .collect();
-                let line = PathElement::new(points.clone(), color.stroke_width(2));
-                chart.draw_secondary_series([line])?;
-                let marks = points
-                    .into_iter()
-                    .map(|point| TriangleMarker::new(point, 7, color.filled()));
-                chart
-                    .draw_secondary_series(marks)?
-                    .label(name)
-                    .legend(move |(x, y)| TriangleMarker::new((x + 9, y), 7, color.filled()));
-            }
-            chart
-                .configure_series_labels()
-                .position(SeriesLabelPosition::UpperRight)
-                .background_style(WHITE.mix(0.85))
-                .border_style(BLACK.mix(0.3))
-                .label_font((FAMILY, 18))
-                .draw()?;
-            area.present()
-        };
-        plot().map_err(|e: DrawingAreaErrorKind<B::ErrorType>| Error::Plot {
-            what: "the curves",
-            answer: e.to_string(),
-        })
+                .draw_secondary_series(marks)?
+                .label(name)
+                .legend(move |(x, y)| TriangleMarker::new((x + 9, y), 7, color.filled()));
+        }
+        chart
+            .configure_series_labels()
+            .position(SeriesLabelPosition::UpperRight)
+            .background_style(WHITE.mix(0.85))
+            .border_style(BLACK.mix(0.3))
+            .label_font((FAMILY, 18))
+            .draw()?;
+        Ok(())
     }
 }
 

@@ -3,8 +3,9 @@
 use plotters::coord::Shift;
 use plotters::element::DashedPathElement;
 use plotters::prelude::*;
+use plotters::style::text_anchor::HPos;
 
-use super::canvas::{FAMILY, in_pixels, register_the_font};
+use super::canvas::{Drawing, Drawn, FAMILY, both, draw_line, line_height, style};
 use super::{Plot, palette};
 use crate::error::{Error, Result};
 
@@ -23,6 +24,7 @@ const SIZE: (u32, u32) = (1200, 680);
 /// The width of the part that has the legend.
 const LEGEND: u32 = 250;
 const LINE: i32 = 28;
+const TEXT: u32 = 18;
 
 /// The plot as an SVG, and in pixels. The legend stands beside the axes, in the order in which the lines end, from the top.
 /// Each method has the colour that it has in every plot; lines of VTK are broken.
@@ -30,18 +32,22 @@ const LINE: i32 = 28;
 /// # Errors
 /// If the plotting library fails, or no line has a point.
 pub fn costs(caption: &str, across: &str, up: &str, lines: &[CostLine]) -> Result<[Plot; 2]> {
-    register_the_font();
+    let lines = from_the_top(lines);
+    let (Some(xs), Some(ys)) = (range(&lines, 0), range(&lines, 1)) else {
+        return Err(Error::Plot {
+            what: Chart::WHAT,
+            answer: "no method has a cost".into(),
+        });
+    };
     let chart = Chart {
         caption,
         across,
         up,
-        lines: &from_the_top(lines),
+        lines: &lines,
+        ranges: [xs, ys],
     };
-    let mut text = String::new();
-    chart.draw(SVGBackend::with_string(&mut text, SIZE).into_drawing_area())?;
-    let mut bytes = vec![0; (SIZE.0 * SIZE.1 * 3) as usize];
-    chart.draw(BitMapBackend::with_buffer(&mut bytes, SIZE).into_drawing_area())?;
-    Ok([Plot::Svg(text), Plot::Png(in_pixels(SIZE, &bytes))])
+    let (svg, picture) = both(SIZE, &chart)?;
+    Ok([Plot::Svg(svg), Plot::Png(picture)])
 }
 
 /// The lines that have points, the one that ends highest first.
@@ -61,82 +67,113 @@ struct Chart<'c> {
     across: &'c str,
     up: &'c str,
     lines: &'c [CostLine],
+    /// The ends of both axes.
+    ranges: [[f64; 2]; 2],
 }
 
-impl Chart<'_> {
-    fn draw<B: DrawingBackend>(&self, area: DrawingArea<B, Shift>) -> Result<()> {
-        let wrong = |answer: String| Error::Plot {
-            what: "the costs",
-            answer,
-        };
-        let (Some(xs), Some(ys)) = (self.range(0), self.range(1)) else {
-            return Err(wrong("no method has a cost".into()));
-        };
-        let plot = || {
-            area.fill(&WHITE)?;
-            let (left, legend) = area.split_horizontally(SIZE.0 - LEGEND);
-            let mut chart = ChartBuilder::on(&left)
-                .caption(self.caption, (FAMILY, 24))
-                .margin(16)
-                .x_label_area_size(56)
-                .y_label_area_size(84)
-                .build_cartesian_2d(
-                    (xs[0] / 1.1..xs[1] * 1.1)
-                        .log_scale()
-                        .with_key_points(ticks(xs)),
-                    (ys[0] / 1.3..ys[1] * 1.3)
-                        .log_scale()
-                        .with_key_points(ticks(ys)),
-                )?;
-            chart
-                .configure_mesh()
-                .light_line_style(TRANSPARENT)
-                .bold_line_style(BLACK.mix(0.12))
-                .x_desc(self.across)
-                .y_desc(self.up)
-                .axis_desc_style((FAMILY, 22))
-                .label_style((FAMILY, 18))
-                .x_label_formatter(&|x| number(*x))
-                .y_label_formatter(&|y| number(*y))
-                .draw()?;
-            for (place, line) in self.lines.iter().enumerate() {
-                let color = palette::of(&line.name);
-                let points = || line.points.iter().map(|&[x, y]| (x, y));
-                let y = 60 + LINE * place as i32;
-                let sample = match is_vtk(line) {
-                    true => [[(0, y), (6, y)], [(20, y), (26, y)]],
-                    false => [[(0, y), (26, y)]; 2],
-                };
-                if line.joined {
-                    if is_vtk(line) {
-                        let style = color.stroke_width(2);
-                        chart.draw_series([DashedPathElement::new(points(), 8, 5, style)])?;
-                    } else {
-                        let path: Vec<_> = points().collect();
-                        chart.draw_series([PathElement::new(path, color.stroke_width(3))])?;
-                    }
-                    for part in sample {
-                        legend.draw(&PathElement::new(part, color.stroke_width(3)))?;
-                    }
-                }
-                chart.draw_series(points().map(|point| Circle::new(point, 4, color.filled())))?;
-                legend.draw(&Circle::new((13, y), 4, color.filled()))?;
-                let style = TextStyle::from((FAMILY, 18).into_font());
-                legend.draw_text(&line.name, &style, (36, y - 9))?;
-            }
-            area.present()
-        };
-        plot().map_err(|e: DrawingAreaErrorKind<B::ErrorType>| wrong(e.to_string()))
-    }
+impl Drawing for Chart<'_> {
+    const WHAT: &'static str = "the costs";
 
-    /// The smallest and the largest place on an axis. `None` if there is none.
-    fn range(&self, axis: usize) -> Option<[f64; 2]> {
-        let points = self.lines.iter().flat_map(|line| &line.points);
-        let places = points.map(|point| point[axis].max(1e-9));
-        places.fold(None, |range, place| match range {
-            None => Some([place, place]),
-            Some([low, high]) => Some([low.min(place), high.max(place)]),
-        })
+    fn draw<B: DrawingBackend>(&self, area: &DrawingArea<B, Shift>) -> Drawn<B> {
+        let [xs, ys] = self.ranges;
+        let (left, legend) = area.split_horizontally(SIZE.0 - LEGEND);
+        let mut chart = ChartBuilder::on(&left)
+            .caption(self.caption, (FAMILY, 24))
+            .margin(16)
+            .x_label_area_size(56)
+            .y_label_area_size(84)
+            .build_cartesian_2d(
+                (xs[0] / 1.1..xs[1] * 1.1)
+                    .log_scale()
+                    .with_key_points(ticks(xs)),
+                (ys[0] / 1.3..ys[1] * 1.3)
+                    .log_scale()
+                    .with_key_points(ticks(ys)),
+            )?;
+        chart
+            .configure_mesh()
+            .light_line_style(TRANSPARENT)
+            .bold_line_style(BLACK.mix(0.12))
+            .x_desc(self.across)
+            .y_desc(self.up)
+            .axis_desc_style((FAMILY, 22))
+            .label_style((FAMILY, 18))
+            .x_label_formatter(&|x| number(*x))
+            .y_label_formatter(&|y| number(*y))
+            .draw()?;
+        for (place, line) in self.lines.iter().enumerate() {
+            let color = palette::of_method(&line.name);
+            let points = || line.points.iter().map(|&[x, y]| (x, y));
+            let y = 60 + LINE * place as i32;
+            let sample = match is_vtk(line) {
+                true => [[(0, y), (6, y)], [(20, y), (26, y)]],
+                false => [[(0, y), (26, y)]; 2],
+            };
+            if line.joined {
+                if is_vtk(line) {
+                    let style = color.stroke_width(2);
+                    chart.draw_series([DashedPathElement::new(points(), 8, 5, style)])?;
+                } else {
+                    let path: Vec<_> = points().collect();
+                    chart.draw_series([PathElement::new(path, color.stroke_width(3))])?;
+                }
+                for part in sample {
+                    legend.draw(&PathElement::new(part, color.stroke_width(3)))?;
+                }
+            }
+            let filled = color.filled();
+            match Mark::of(&line.name) {
+                Mark::Circle => {
+                    chart.draw_series(points().map(|point| Circle::new(point, 5, filled)))?;
+                    legend.draw(&Circle::new((13, y), 5, filled))?;
+                }
+                Mark::Triangle => {
+                    let triangle = |point| TriangleMarker::new(point, 6, filled);
+                    chart.draw_series(points().map(triangle))?;
+                    legend.draw(&TriangleMarker::new((13, y), 6, filled))?;
+                }
+                Mark::Cross => {
+                    let cross = |point| Cross::new(point, 5, color.stroke_width(2));
+                    chart.draw_series(points().map(cross))?;
+                    legend.draw(&Cross::new((13, y), 5, color.stroke_width(2)))?;
+                }
+            }
+            let at = (36, y - line_height(TEXT) as i32 / 2);
+            draw_line(&legend, &line.name, &style(TEXT, HPos::Left), at)?;
+        }
+        Ok(())
+    }
+}
+
+/// The smallest and the largest place on an axis. `None` if there is none.
+fn range(lines: &[CostLine], axis: usize) -> Option<[f64; 2]> {
+    let points = lines.iter().flat_map(|line| &line.points);
+    let places = points.map(|point| point[axis].max(1e-9));
+    places.fold(None, |range, place| match range {
+        None => Some([place, place]),
+        Some([low, high]) => Some([low.min(place), high.max(place)]),
+    })
+}
+
+/// Colour is not to be the only sign of what kind of method a line is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Mark {
+    /// Peels, or draws what is sorted.
+    Circle,
+    /// Fills lists.
+    Triangle,
+    /// Blends without an order.
+    Cross,
+}
+
+impl Mark {
+    fn of(name: &str) -> Self {
+        let begins = |with: &[&str]| with.iter().any(|start| name.starts_with(start));
+        match () {
+            () if begins(&["ffb", "dfb", "ppll"]) => Self::Triangle,
+            () if begins(&["blend", "weighted", "multi-layer", "VTK alpha"]) => Self::Cross,
+            () => Self::Circle,
+        }
     }
 }
 
@@ -197,8 +234,12 @@ mod tests {
         else {
             panic!("an SVG and a picture were promised");
         };
-        // The legend has one more mark of each line.
-        assert_eq!(text.matches("<circle").count(), 6 + 3, "{text}");
+        // The legend has one more mark of each line: circles for VTK's peeling, triangles for lists, crosses of two strokes
+        // for blending.
+        assert_eq!(text.matches("<circle").count(), 1 + 1, "{text}");
+        assert_eq!(text.matches("<polygon").count(), 2 + 1, "{text}");
+        let black = r##"stroke="#000000""##;
+        assert!(text.matches(black).count() >= 2 * (3 + 1), "{text}");
         for label in [
             "title", "layers", "ms", "blend", "dfb", "VTK dual", "1", "2", "4",
         ] {

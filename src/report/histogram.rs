@@ -5,7 +5,7 @@ use std::path::Path;
 use plotters::coord::Shift;
 use plotters::prelude::*;
 
-use super::canvas::{FAMILY, in_pixels, register_the_font};
+use super::canvas::{Drawing, Drawn, FAMILY, both};
 use super::save_text;
 use crate::error::{Error, Result};
 use crate::image::Image;
@@ -58,34 +58,21 @@ const BAR: RGBColor = RGBColor(0x2B, 0x5C, 0x8A);
 /// # Errors
 /// If the plotting library fails.
 pub fn plot(name: &str, complexity: &Complexity, bin: u32, kind: PlotKind) -> Result<Plot> {
-    register_the_font();
     let caption = format!(
         "{name}: {} of {} pixels covered, at most {} layers",
         complexity.covered(),
         complexity.counts.len(),
         complexity.max()
     );
-    let bins = covered_bins(complexity, bin);
-    match kind {
-        PlotKind::Svg => {
-            let mut text = String::new();
-            draw(
-                &SVGBackend::with_string(&mut text, SIZE).into_drawing_area(),
-                &caption,
-                &bins,
-            )?;
-            Ok(Plot::Svg(text))
-        }
-        PlotKind::Png => {
-            let mut bytes = vec![0; (SIZE.0 * SIZE.1 * 3) as usize];
-            draw(
-                &BitMapBackend::with_buffer(&mut bytes, SIZE).into_drawing_area(),
-                &caption,
-                &bins,
-            )?;
-            Ok(Plot::Png(in_pixels(SIZE, &bytes)))
-        }
-    }
+    let chart = Chart {
+        caption,
+        bins: covered_bins(complexity, bin),
+    };
+    let (svg, picture) = both(SIZE, &chart)?;
+    Ok(match kind {
+        PlotKind::Svg => Plot::Svg(svg),
+        PlotKind::Png => Plot::Png(picture),
+    })
 }
 
 impl Plot {
@@ -101,6 +88,16 @@ impl Plot {
     }
 }
 
+/// Writes an SVG or a PNG, as the file's name says.
+pub(super) fn save_either(path: &Path, draw: impl FnOnce() -> Result<[Plot; 2]>) -> Result<()> {
+    let kind = PlotKind::of(path)?;
+    let [svg, png] = draw()?;
+    match kind {
+        PlotKind::Svg => svg.save(path),
+        PlotKind::Png => png.save(path),
+    }
+}
+
 /// The bins. Pixels without a fragment are taken out of the first.
 fn covered_bins(complexity: &Complexity, bin: u32) -> Vec<Bin> {
     let mut bins = complexity.histogram(bin);
@@ -109,21 +106,20 @@ fn covered_bins(complexity: &Complexity, bin: u32) -> Vec<Bin> {
     bins
 }
 
-fn draw<B: DrawingBackend>(
-    area: &DrawingArea<B, Shift>,
-    caption: &str,
-    bins: &[Bin],
-) -> Result<()> {
-    let wrong = |answer: String| Error::Plot {
-        what: "the histogram",
-        answer,
-    };
-    let most = bins.iter().map(|bin| bin.pixels).max().unwrap_or(1).max(1);
-    let right = bins.last().map_or(1, |bin| bin.to + 1);
-    // A bar of one pixel must be visible, so the axis begins below 1.
-    let rows = (0.5..most as f64 * 1.5).log_scale();
-    let plot = || {
-        area.fill(&WHITE)?;
+struct Chart {
+    caption: String,
+    bins: Vec<Bin>,
+}
+
+impl Drawing for Chart {
+    const WHAT: &'static str = "the histogram";
+
+    fn draw<B: DrawingBackend>(&self, area: &DrawingArea<B, Shift>) -> Drawn<B> {
+        let Self { caption, bins } = self;
+        let most = bins.iter().map(|bin| bin.pixels).max().unwrap_or(1).max(1);
+        let right = bins.last().map_or(1, |bin| bin.to + 1);
+        // A bar of one pixel must be visible, so the axis begins below 1.
+        let rows = (0.5..most as f64 * 1.5).log_scale();
         let mut chart = ChartBuilder::on(area)
             .caption(caption, (FAMILY, 24))
             .margin(16)
@@ -150,9 +146,8 @@ fn draw<B: DrawingBackend>(
             Rectangle::new(corners, BAR.filled())
         });
         chart.draw_series(bars)?;
-        area.present()
-    };
-    plot().map_err(|e: DrawingAreaErrorKind<B::ErrorType>| wrong(e.to_string()))
+        Ok(())
+    }
 }
 
 #[cfg(test)]

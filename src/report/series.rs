@@ -5,9 +5,9 @@ use std::path::Path;
 use plotters::coord::Shift;
 use plotters::prelude::*;
 
-use super::canvas::{FAMILY, in_pixels, register_the_font};
+use super::canvas::{Drawing, Drawn, FAMILY, both};
 use super::{Plot, save_text};
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::methods::Complexity;
 
 /// A frame of a series.
@@ -34,9 +34,9 @@ const BARS: [RGBColor; BINS.len()] = [
     RGBColor(0x10, 0x2A, 0x43),
 ];
 const LINES: [RGBColor; 3] = [
-    RGBColor(0xD9, 0x48, 0x01),
-    RGBColor(0x23, 0x8B, 0x45),
-    RGBColor(0x6A, 0x3D, 0x9A),
+    RGBColor(0xD5, 0x5E, 0x00),
+    RGBColor(0x00, 0x9E, 0x73),
+    RGBColor(0x20, 0x20, 0x20),
 ];
 
 impl Moment {
@@ -65,18 +65,13 @@ impl Moment {
 /// # Errors
 /// If the plotting library fails.
 pub fn series(caption: &str, names: &[&str], moments: &[Moment]) -> Result<[Plot; 2]> {
-    register_the_font();
-    let mut text = String::new();
-    draw(
-        SVGBackend::with_string(&mut text, SIZE).into_drawing_area(),
+    let chart = Chart {
         caption,
         names,
         moments,
-    )?;
-    let mut bytes = vec![0; (SIZE.0 * SIZE.1 * 3) as usize];
-    let backend = BitMapBackend::with_buffer(&mut bytes, SIZE);
-    draw(backend.into_drawing_area(), caption, names, moments)?;
-    Ok([Plot::Svg(text), Plot::Png(in_pixels(SIZE, &bytes))])
+    };
+    let (svg, picture) = both(SIZE, &chart)?;
+    Ok([Plot::Svg(svg), Plot::Png(picture)])
 }
 
 /// The series' numbers as CSV: a line of names, then a line for each moment.
@@ -109,29 +104,36 @@ pub fn save_series_csv(path: &Path, names: &[&str], moments: &[Moment]) -> Resul
     save_text(path, &series_csv(names, moments))
 }
 
-fn draw<B: DrawingBackend>(
-    area: DrawingArea<B, Shift>,
-    caption: &str,
-    names: &[&str],
-    moments: &[Moment],
-) -> Result<()> {
-    let step = match moments {
-        [first, second, ..] => f64::from(second.frame.saturating_sub(first.frame)).max(1.0),
-        _ => 1.0,
-    };
-    let end = moments
-        .last()
-        .map_or(1.0, |moment| f64::from(moment.frame) + step);
-    let values = moments.iter().flat_map(|moment| &moment.values);
-    let top = values.copied().fold(0.0, f64::max).max(1e-9) * 1.65;
-    let covered = moments
-        .iter()
-        .map(|moment| moment.parts.iter().sum::<f64>());
-    // The upper two fifths are for the legend.
-    let left = (covered.fold(0.0, f64::max) * 165.0).max(1e-9);
-    let plot = || {
-        area.fill(&WHITE)?;
-        let mut chart = ChartBuilder::on(&area)
+struct Chart<'c> {
+    caption: &'c str,
+    names: &'c [&'c str],
+    moments: &'c [Moment],
+}
+
+impl Drawing for Chart<'_> {
+    const WHAT: &'static str = "the series";
+
+    fn draw<B: DrawingBackend>(&self, area: &DrawingArea<B, Shift>) -> Drawn<B> {
+        let Self {
+            caption,
+            names,
+            moments,
+        } = *self;
+        let step = match moments {
+            [first, second, ..] => f64::from(second.frame.saturating_sub(first.frame)).max(1.0),
+            _ => 1.0,
+        };
+        let end = moments
+            .last()
+            .map_or(1.0, |moment| f64::from(moment.frame) + step);
+        let values = moments.iter().flat_map(|moment| &moment.values);
+        let top = values.copied().fold(0.0, f64::max).max(1e-9) * 1.65;
+        let covered = moments
+            .iter()
+            .map(|moment| moment.parts.iter().sum::<f64>());
+        // The upper two fifths are for the legend.
+        let left = (covered.fold(0.0, f64::max) * 165.0).max(1e-9);
+        let mut chart = ChartBuilder::on(area)
             .caption(caption, (FAMILY, 24))
             .margin(16)
             .x_label_area_size(48)
@@ -197,12 +199,8 @@ fn draw<B: DrawingBackend>(
             .background_style(WHITE.mix(0.85))
             .label_font((FAMILY, 16))
             .draw()?;
-        area.present()
-    };
-    plot().map_err(|e: DrawingAreaErrorKind<B::ErrorType>| Error::Plot {
-        what: "the series",
-        answer: e.to_string(),
-    })
+        Ok(())
+    }
 }
 
 #[cfg(test)]
@@ -228,7 +226,7 @@ mod tests {
             panic!("not an SVG")
         };
         assert!(
-            text.contains("#102A43") && text.contains("#D94801"),
+            text.contains("#102A43") && text.contains("#D55E00"),
             "{text}"
         );
     }

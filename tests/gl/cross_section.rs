@@ -1,6 +1,8 @@
 //! Everitt's figure 4 (E11): a cross section of the view volume, peeled.
 
+use onionskin::low_level::gl::CapturedFragment;
 use onionskin::options::{Compositing, DepthPeelingOptions};
+use onionskin::report::{CrossSection, Plot};
 use onionskin::{Context, Method, Renderer, Scene};
 
 use crate::kit::lists::Lists;
@@ -25,6 +27,14 @@ pub(crate) fn e11_each_layer_has_the_frontmost_of_what_the_layers_before_have_le
         let row = (0..120)
             .max_by_key(|row| -> usize { fragments(row) })
             .unwrap();
+        let depths = |pixel: &Vec<CapturedFragment>| pixel.iter().map(|f| f.depth).collect();
+        let cut: Vec<Vec<f32>> = lists.pixels[row * 160..][..160]
+            .iter()
+            .map(depths)
+            .collect();
+        let [Plot::Svg(figure), _] = CrossSection::new(name, 3, &cut).draw().unwrap() else {
+            panic!("an SVG was promised");
+        };
         let mut bold_before = usize::MAX;
         for (number, layer) in frame.layers.iter().enumerate().take(3) {
             let (mut bold, mut hidden, mut peeled) = (0, 0, 0);
@@ -51,6 +61,9 @@ pub(crate) fn e11_each_layer_has_the_frontmost_of_what_the_layers_before_have_le
             println!(
                 "{name}, row {row}, layer {number}: {bold} bold, {hidden} thin, {peeled} grey"
             );
+            // The drawn figure says the same.
+            let drawn = format!("layer {number}: {bold} samples\n");
+            assert!(figure.contains(&drawn), "no {drawn}: {figure}");
             // "The number of samples is decreasing"; a closed surface has as many in its first two layers.
             assert!(bold <= bold_before && bold > 0);
             assert_eq!(bold + hidden + peeled, fragments(&row));

@@ -49,6 +49,7 @@ mod exact_depth;
 mod exact_measures;
 mod figure_2;
 mod figure_3;
+mod figures_4_and_5;
 mod four_scenes;
 mod fused;
 mod fused_as_printed;

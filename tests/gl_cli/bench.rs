@@ -235,7 +235,9 @@ fn a_plot_has_a_mark_for_each_scene_and_method() {
     ]);
     let svg = String::from_utf8(desk.files()["costs.svg"].clone()).unwrap();
     // Two methods, two scenes, and a mark of each method in the legend.
-    assert_eq!(svg.matches("<circle").count(), 2 * 2 + 2, "{svg}");
+    assert_eq!(svg.matches("<polygon").count(), 2 + 1, "lists: {svg}");
+    let stroke = r##"opacity="1" stroke="#000000" stroke-width="2""##;
+    assert_eq!(svg.matches(stroke).count(), 2 * (2 + 1), "blend: {svg}");
 }
 
 #[test]

@@ -39,13 +39,33 @@ fn check_finds_one_changed_pixel_and_shows_it_in_the_third_panel() {
     assert!(answer.out.contains("differs"), "{answer}");
     assert!(answer.out.contains("1 of 1200"), "{answer}");
     assert!(answer.out.contains("5, 7 (from the top left)"), "{answer}");
+    // A difference of 0.5, and up to half a step of rounding, times 8 is more than 1: the pixel is yellow, the end of the
+    // scale. It is enlarged eight times, so that the panel is 320 pixels wide. No other pixel is, and no picture's.
     let picture = Image::load(desk.path("difference.png")).unwrap();
+    assert!(picture.width > 3 * 320 && picture.height > 240 + 60);
+    let yellow = |&pixel: &u32| {
+        let [r, g, b, _] = picture.pixel(pixel, row_of_the_panel(&picture)).to_array();
+        [r, g, b].map(|c| (c * 255.0).round() as u8) == [254, 232, 37]
+    };
+    assert_eq!((0..picture.width).filter(yellow).count(), 8);
+
+    desk.run(&[&CHECK[..], &["-o", "difference.exr"]].concat());
+    let picture = Image::load(desk.path("difference.exr")).unwrap();
     // Three panels with two gaps of four pixels.
     assert_eq!([picture.width, picture.height], [3 * 40 + 2 * 4, 30]);
-    // A difference of 0.5, and up to half a step of rounding, times 8 is more than 1.
     assert_eq!(picture.pixel(2 * 44 + 5, 7).g, 1.0);
     // Half a step times 8 is under four steps.
     assert!(picture.pixel(2 * 44 + 6, 7).g <= 4.0 / 255.0);
+}
+
+/// The row of the sheet that has the changed pixel's middle: below the frame's first row, which is dark in all three
+/// panels.
+fn row_of_the_panel(picture: &Image) -> u32 {
+    let dark = |row: &u32| {
+        let pixels = (0..picture.width).map(|column| picture.pixel(column, *row));
+        pixels.filter(|pixel| pixel.r < 0.6).count() >= 3 * 320
+    };
+    (0..picture.height).find(dark).unwrap() + 1 + 7 * 8 + 4
 }
 
 #[test]

@@ -36,6 +36,33 @@ fn compare_shows_every_method_in_the_registrys_order() {
 }
 
 #[test]
+fn compare_writes_a_sheet_of_all_images_with_their_names_and_errors() {
+    let desk = desk();
+    let compare = ["compare", "sheets.toml", "-m", "blend,depth-peeling", "-o"];
+    desk.result(&[&compare[..], &["sheet.svg"]].concat());
+    let text = std::fs::read_to_string(desk.path("sheet.svg")).unwrap();
+    let document = roxmltree::Document::parse(&text).unwrap();
+    let named = |name| {
+        document
+            .descendants()
+            .filter(move |node| node.has_tag_name(name))
+    };
+    assert_eq!(named("image").count(), 3);
+    let words: Vec<_> = named("text").filter_map(|node| node.text()).collect();
+    let words = words.join(" ");
+    let words: Vec<_> = words.split_whitespace().collect();
+    let words = words.join(" ");
+    for expected in [
+        "exact",
+        "blend: largest error",
+        "depth-peeling: largest error",
+    ] {
+        assert!(words.contains(expected), "no {expected}: {words}");
+    }
+    desk.refused(&[&compare[..], &["sheet.exr"]].concat());
+}
+
+#[test]
 fn compare_as_json_prints_one_object_for_each_method() {
     let desk = desk();
     let answer = desk.run(&["compare", "sheets.toml", "--json"]);

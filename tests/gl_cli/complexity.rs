@@ -40,7 +40,12 @@ pub(crate) fn l01_complexity_writes_the_picture_the_plot_and_the_table() {
     assert!(table.ends_with("3,3,200,1.000000\n"), "{table}");
     let plot = std::fs::read_to_string(desk.path("p.svg")).unwrap();
     assert!(plot.starts_with("<svg") && plot.trim_end().ends_with("</svg>"));
-    desk.result(&["complexity", "s.toml", "--plot", "p.png"]);
+    desk.result(&["complexity", "s.toml", "-o", "c.png", "--plot", "p.png"]);
+    // The picture of 20 x 10 pixels is enlarged to 320 x 160, and has its scale below it.
+    let sheet = Image::load(desk.path("c.png")).unwrap();
+    assert!(sheet.width > 320 && sheet.height > 160 + 60);
+    let black = |pixel: &&onionskin::Rgba| pixel.to_array() == [0.0, 0.0, 0.0, 1.0];
+    assert!(sheet.pixels.iter().filter(black).count() >= 320 * 160);
     assert!(Image::load(desk.path("p.png")).unwrap().width > 100);
 }
 

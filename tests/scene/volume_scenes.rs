@@ -231,6 +231,7 @@ fn the_phantom_has_its_known_values() {
             size: 2.0,
             samples: 201,
         },
+        softness: 0.0,
     })
     .unwrap();
     for (place, value) in [
@@ -253,6 +254,37 @@ fn the_phantom_has_its_known_values() {
         let found = head.at(place.into()).unwrap();
         assert!((found - value).abs() < 1e-6, "{place:?} {found} {value}");
     }
+}
+
+/// Rings in images come from here: between two rays side by side, a hard surface moves by a whole sample or not at all.
+#[test]
+fn the_phantom_with_soft_edges_lets_as_much_light_through_as_the_ellipsoids_do() {
+    let samples = 96;
+    let spacing = 2.0 / (samples - 1) as f64;
+    let largest_error = |softness: f64| {
+        let lattice = Lattice { size: 2.0, samples };
+        let softness = softness as f32;
+        let head = shepp_logan(&SheppLogan { lattice, softness }).unwrap();
+        // Lines from the chin to the crown, where there is only skull and brain. A chord of each ellipsoid has a closed
+        // form.
+        let error = |x: f64| {
+            let y = 0.7;
+            let chord = |axes: [f64; 3], y: f64| {
+                2.0 * axes[2] * (1.0 - (x / axes[0]).powi(2) - (y / axes[1]).powi(2)).sqrt()
+            };
+            let exact =
+                chord([0.69, 0.92, 0.81], y) - 0.8 * chord([0.6624, 0.874, 0.78], y + 0.0184);
+            let heights = (0..8 * samples).map(|n| f64::from(n) * spacing / 8.0 - 1.0);
+            let values = heights.filter_map(|z| head.at([x, y, z].into()));
+            (values.sum::<f64>() * spacing / 8.0 - exact).abs()
+        };
+        (-20..=20)
+            .map(|n| error(f64::from(n) * 0.005))
+            .fold(0.0, f64::max)
+    };
+    let (hard, soft) = (largest_error(0.0), largest_error(2.0 * spacing));
+    println!("largest error of a line's sum: {hard:.5} with hard edges, {soft:.5} with soft ones");
+    assert!(soft < hard / 4.0, "{soft} {hard}");
 }
 
 #[test]

@@ -17,7 +17,7 @@ const GENERATORS: [(&str, &[&str], Reader); 7] = [
     ("constant", &["value"], constant),
     ("ball", &["radius", "softness", "value"], ball),
     ("gradient", &["from", "to"], gradient),
-    ("shepp-logan", &[], shepp_logan),
+    ("shepp-logan", &["softness"], shepp_logan),
     ("potential", &["atoms", "softness"], potential),
     ("ejection", &["part", "front", "spread"], ejection),
     ("swirl", &["core", "winding", "turns", "jet"], swirl),
@@ -83,8 +83,10 @@ fn gradient(keys: &Keys) -> Result<Box<dyn Field>> {
 
 fn shepp_logan(keys: &Keys) -> Result<Box<dyn Field>> {
     let default = SheppLogan::default();
+    let softness = keys.number32("softness", &ANY)?;
     Ok(Box::new(SheppLogan {
         lattice: lattice(keys, default.lattice)?,
+        softness: softness.unwrap_or(default.softness),
     }))
 }
 

@@ -6,6 +6,7 @@ use super::{Field, Lattice, checked};
 use crate::error::Result;
 use crate::scene::Volume;
 use crate::scene::generate::Refusal;
+use crate::scene::generate::limits::{LENGTH, within};
 
 /// The three-dimensional Shepp-Logan phantom with Toft's contrasts: ten ellipsoids, whose values add up. The skull has
 /// the value 1, the brain 0.2, the ventricles 0, small tumours 0.3, and the space around the head 0. z points to the
@@ -14,12 +15,17 @@ use crate::scene::generate::Refusal;
 pub struct SheppLogan {
     /// The lattice on which it is sampled. The head fills 0.92 of the cube's edge.
     pub lattice: Lattice,
+    /// How far an ellipsoid's soft surface reaches inwards and outwards, about, 0 (a hard surface, between two samples) to
+    /// 1e6. The value changes there as a smooth step. With hard surfaces, images show rings where the lattice's planes cut
+    /// the skull. Real scans have soft ones, because a scanner takes the mean over a sample's surroundings.
+    pub softness: f32,
 }
 
 impl Default for SheppLogan {
     fn default() -> Self {
         Self {
             lattice: Lattice::of(96),
+            softness: 0.0,
         }
     }
 }
@@ -50,7 +56,7 @@ const ELLIPSOIDS: [(f64, [f64; 3], [f64; 3], f64); 10] = [
 
 impl Field for SheppLogan {
     fn check(&self) -> Result<(), Refusal> {
-        Ok(())
+        within("softness", self.softness, [0.0, LENGTH[1]])
     }
 
     fn lattice(&self) -> Lattice {
@@ -62,8 +68,9 @@ impl Field for SheppLogan {
     }
 
     fn value(&self, point: DVec3) -> f64 {
-        let point = point * 2.0 / f64::from(self.lattice.size);
-        let holding = ELLIPSOIDS.iter().filter(|(_, axes, middle, degrees)| {
+        let scale = 2.0 / f64::from(self.lattice.size);
+        let (point, softness) = (point * scale, f64::from(self.softness) * scale);
+        let parts = ELLIPSOIDS.iter().map(|(value, axes, middle, degrees)| {
             let (sin, cos) = degrees.to_radians().sin_cos();
             let seen = point - DVec3::from_array(*middle);
             let turned = DVec3::new(
@@ -71,8 +78,21 @@ impl Field for SheppLogan {
                 seen.y * cos - seen.x * sin,
                 seen.z,
             );
-            (turned / DVec3::from_array(*axes)).length_squared() <= 1.0
+            value * part_inside(turned, DVec3::from_array(*axes), softness)
         });
-        holding.map(|(value, ..)| value).sum()
+        parts.sum()
     }
+}
+
+/// How much a point belongs to an ellipsoid with a soft surface, 0 to 1.
+fn part_inside(point: DVec3, axes: DVec3, softness: f64) -> f64 {
+    let unit = point / axes;
+    let outwards = unit.length() - 1.0;
+    // The distance from the surface, to first order: by the gradient of `outwards`.
+    let slope = (unit / axes).length() / unit.length();
+    if softness == 0.0 || !slope.is_finite() {
+        return if outwards <= 0.0 { 1.0 } else { 0.0 };
+    }
+    let part = (0.5 - outwards / slope / softness * 0.5).clamp(0.0, 1.0);
+    part * part * (3.0 - 2.0 * part)
 }
