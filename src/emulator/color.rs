@@ -4,32 +4,7 @@ use half::f16;
 
 use crate::steps::Format;
 
-/// A texel of a color map.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Texel {
-    /// Red, green, blue and alpha. Of channels that the format lacks, alpha is 1 and the others are 0, as lookups have it.
-    Color([f32; 4]),
-    /// The same of a format of whole numbers.
-    Integers([u32; 4]),
-}
-
-impl Texel {
-    /// The channels of a colour. Those of whole numbers are 0.
-    pub fn color(self) -> [f32; 4] {
-        match self {
-            Self::Color(color) => color,
-            Self::Integers(_) => [0.0; 4],
-        }
-    }
-
-    /// The whole numbers. Those of a colour are 0.
-    pub fn integers(self) -> [u32; 4] {
-        match self {
-            Self::Color(_) => [0; 4],
-            Self::Integers(integers) => integers,
-        }
-    }
-}
+pub use crate::steps::Texel;
 
 /// Whether a format has whole numbers.
 pub(super) fn has_integers(format: Format) -> bool {

@@ -35,6 +35,16 @@ pub(super) fn sampled_by_llvmpipe(format: Format, stored: f32) -> f32 {
     }
 }
 
+/// The depth that reading a map back gives for a stored one: the quotient, as GL defines it.
+pub(super) fn read_back(format: Format, stored: f32) -> f32 {
+    let largest = match format {
+        Format::Depth24Stencil8 => MAX_24,
+        Format::Depth16 => MAX_16,
+        _ => return stored,
+    };
+    (f64::from(stored) / f64::from(largest)) as f32
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

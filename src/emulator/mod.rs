@@ -19,7 +19,7 @@
 //! pixels themselves.
 //!
 //! Excludes: several samples per pixel, scissors but for bands and parts of the screen, dithering, logic ops, sRGB, classic
-//! calls, the invariance experiment, uniforms, and everything before the fragment: depths and colours are given, not
+//! calls, the invariance experiment, triangles in pieces, uniforms, and everything before the fragment: depths and colours are given, not
 //! interpolated. A shader that asks how far a fragment is away has that computed from its depth. Rays through volumes are
 //! sampled in f64; early ray termination does not end them, and a Local Array that keeps the nearest fragments does not
 //! know of volumes whose boxes it has dropped.
@@ -27,6 +27,7 @@
 mod color;
 mod depth;
 mod draw;
+mod held;
 mod invocation;
 mod lists;
 mod machine;

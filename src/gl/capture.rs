@@ -74,6 +74,23 @@ pub fn capture_in_pieces(
     machine: &mut GlMachine<'_>,
     what: &Captured,
     limit: u32,
+    take: impl FnMut(Piece, &[CapturedFragment]) -> Result<()>,
+) -> Result<()> {
+    let [width, height] = machine.size();
+    let all = Piece {
+        x: 0,
+        y: 0,
+        width,
+        height,
+    };
+    capture_pieces(machine, what, vec![all], limit, take)
+}
+
+fn capture_pieces(
+    machine: &mut GlMachine<'_>,
+    what: &Captured,
+    mut pieces: Vec<Piece>,
+    limit: u32,
     mut take: impl FnMut(Piece, &[CapturedFragment]) -> Result<()>,
 ) -> Result<()> {
     let context = machine.context();
@@ -87,13 +104,6 @@ pub fn capture_in_pieces(
         machine.perform(&call)?;
     }
     let objects = what.objects;
-    let [width, height] = machine.size();
-    let mut pieces = vec![Piece {
-        x: 0,
-        y: 0,
-        width,
-        height,
-    }];
     let mut fragments = Vec::new();
     while let Some(piece) = pieces.pop() {
         piece.scissor(context.glow());
@@ -116,6 +126,31 @@ pub fn capture_in_pieces(
     unsafe { context.glow().disable_draw_buffer(glow::SCISSOR_TEST, 0) };
     machine.perform(&Call::DepthMask { flag: true })?;
     Ok(())
+}
+
+/// Captures the fragments of one pixel, in the order in which they are drawn. The pixel is in column `x` from the left and
+/// row `y` from the bottom.
+///
+/// # Errors
+/// As [`capture_in_pieces`].
+pub(crate) fn capture_at(
+    machine: &mut GlMachine<'_>,
+    what: &Captured,
+    [x, y]: [u32; 2],
+) -> Result<Vec<CapturedFragment>> {
+    let pixel = Piece {
+        x,
+        y,
+        width: 1,
+        height: 1,
+    };
+    let mut fragments = Vec::new();
+    capture_pieces(machine, what, vec![pixel], u32::MAX, |_, captured| {
+        fragments.extend_from_slice(captured);
+        Ok(())
+    })?;
+    fragments.sort_by_key(|fragment| fragment.order);
+    Ok(fragments)
 }
 
 const CAPTURE: Shader = Shader("capture");

@@ -11,7 +11,7 @@ use crate::error::{Error, Result};
 use crate::steps::Target;
 
 /// OpenGL 3.0 and later have at least so many colour attachments.
-const MOST_COLORS: usize = 8;
+pub(super) const MOST_COLORS: usize = 8;
 
 /// The framebuffers of a machine, by name.
 #[derive(Debug, Default)]

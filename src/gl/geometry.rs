@@ -12,6 +12,7 @@ use super::proxy::proxy;
 use super::runs::{Ordered, Run};
 use super::uploading::{Bound, fill};
 use super::window::window_of_transparent;
+use super::witness::DrawnOrder;
 use crate::error::{Error, Result};
 use crate::scene::{Mesh, Scene};
 use crate::steps::Objects;
@@ -24,6 +25,8 @@ pub struct Geometry<'c> {
     merged: Option<Merged>,
     /// The runs of each order.
     orders: Vec<Vec<Run>>,
+    /// The orders as they were given: each triangle as mesh and number. Empty if the only order is that of submission.
+    given: Vec<Vec<[u32; 2]>>,
     /// The order that is drawn.
     order: usize,
     /// The place in the world to which drawn positions are relative: [`origin_of`].
@@ -108,6 +111,7 @@ impl<'c> Geometry<'c> {
             geometry.add(mesh, triangles, 0)?;
         }
         geometry.orders = ordered.runs;
+        geometry.given = orders.to_vec();
         Ok(geometry)
     }
 
@@ -123,14 +127,18 @@ impl<'c> Geometry<'c> {
     ) -> Result<Self> {
         let _bound = Bound::keep(context)?;
         let mut geometry = Self::empty(context, scene, size);
-        let (opaque, transparent): (Vec<&Mesh>, Vec<&Mesh>) =
-            scene.meshes.iter().partition(|mesh| mesh.opaque);
-        let runs = opaque
-            .into_iter()
-            .map(|mesh| geometry.add(mesh, &mesh.triangles, 0));
-        geometry.orders = vec![runs.collect::<Result<_>>()?];
+        let mut runs = Vec::new();
+        let mut place = 0;
+        for mesh in &scene.meshes {
+            if mesh.opaque {
+                runs.push(geometry.add(mesh, &mesh.triangles, place)?);
+            }
+            place += mesh.triangles.len() as u32;
+        }
+        geometry.orders = vec![runs];
+        let transparent = scene.meshes.iter().filter(|mesh| !mesh.opaque);
         let origin = geometry.origin;
-        geometry.merged = Some(Merged::new(context, transparent.into_iter(), origin)?);
+        geometry.merged = Some(Merged::new(context, transparent, origin)?);
         Ok(geometry)
     }
 
@@ -143,6 +151,14 @@ impl<'c> Geometry<'c> {
                 "triangles are submitted to meshes that were not uploaded as one",
                 "have the method draw in DrawOrder::Own",
             )),
+        }
+    }
+
+    /// The order in which triangles are drawn.
+    pub(super) fn drawn(&self) -> DrawnOrder<'_> {
+        match self.given.get(self.order) {
+            Some(triangles) => DrawnOrder::Triangles(triangles),
+            None => DrawnOrder::Submission,
         }
     }
 
@@ -160,6 +176,7 @@ impl<'c> Geometry<'c> {
             uploaded.fill_indices(self.context, mesh, triangles)?;
         }
         self.orders = ordered.runs;
+        self.given = orders.to_vec();
         self.order = 0;
         Ok(())
     }
@@ -200,6 +217,7 @@ impl<'c> Geometry<'c> {
             meshes: Vec::with_capacity(scene.meshes.len()),
             merged: None,
             orders: vec![Vec::new()],
+            given: Vec::new(),
             order: 0,
             origin: origin_of(scene),
             view_projection: Mat4::IDENTITY,

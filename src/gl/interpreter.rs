@@ -10,14 +10,15 @@ use super::machine::GlMachine;
 use super::program::ProgramSet;
 use super::texture::internal;
 use crate::error::{Error, Result};
-use crate::steps::{Call, Machine, Objects, Query};
+use crate::steps::{Call, CallLine, Machine, Objects, Query};
 
 impl Machine for GlMachine<'_> {
     /// In debug builds the step's text names a debug group around it, and OpenGL's errors are asked for after it.
     fn perform(&mut self, call: &Call) -> Result<()> {
         self.context.expect_current()?;
         if !cfg!(debug_assertions) {
-            return self.execute(call);
+            self.execute(call)?;
+            return self.show(call);
         }
         let gl = self.context.glow();
         self.context.note_errors_outside_of_visits();
@@ -32,7 +33,7 @@ impl Machine for GlMachine<'_> {
         };
         done?;
         match error {
-            glow::NO_ERROR => Ok(()),
+            glow::NO_ERROR => self.show(call),
             error => Err(Error::Step {
                 step,
                 error: error_name(error).into(),
@@ -42,6 +43,10 @@ impl Machine for GlMachine<'_> {
 
     fn samples(&mut self, query: Query) -> Result<u64> {
         self.queries.samples(self.context.glow(), query)
+    }
+
+    fn follow(&mut self, line: &CallLine) {
+        self.watch.follow(line);
     }
 }
 

@@ -19,6 +19,7 @@ use super::scan::Scan;
 use super::step_times::{StepTime, StepTimes};
 use super::storage::Storages;
 use super::volumes::Volumes;
+use super::witness::{DrawnOrder, Setting, Watch};
 use crate::error::{Error, Result};
 use crate::scene::Scene;
 
@@ -48,6 +49,7 @@ pub struct GlMachine<'c> {
     pub(super) geometry_passes: u64,
     pub(super) triangles: u64,
     pub(super) step_times: StepTimes,
+    pub(super) watch: Watch,
 }
 
 /// Counts of a machine's work since [`GlMachine::begin_frame`].
@@ -98,6 +100,7 @@ impl<'c> GlMachine<'c> {
             geometry_passes: 0,
             triangles: 0,
             step_times: StepTimes::default(),
+            watch: Watch::default(),
         })
     }
 
@@ -114,6 +117,7 @@ impl<'c> GlMachine<'c> {
     /// Sets the geometry that draw calls draw.
     pub fn set_geometry(&mut self, geometry: Geometry<'c>) {
         self.programs.mixed = geometry.is_mixed();
+        self.watch.set(Setting::Order(geometry.drawn()));
         self.geometry = Some(geometry);
     }
 
@@ -131,10 +135,11 @@ impl<'c> GlMachine<'c> {
                 "set_geometry first",
             )
         };
-        self.geometry
-            .as_mut()
-            .ok_or_else(no_scene)?
-            .submit(triangles)
+        let geometry = self.geometry.as_mut().ok_or_else(no_scene)?;
+        geometry.submit(triangles)?;
+        self.watch
+            .set(Setting::Order(DrawnOrder::Corners(triangles)));
+        Ok(())
     }
 
     /// The place to which drawn positions are relative.
@@ -154,7 +159,10 @@ impl<'c> GlMachine<'c> {
                 "set_geometry first",
             )
         };
-        self.geometry.as_mut().ok_or_else(no_scene)?.choose(order)
+        let geometry = self.geometry.as_mut().ok_or_else(no_scene)?;
+        geometry.choose(order)?;
+        self.watch.set(Setting::Order(geometry.drawn()));
+        Ok(())
     }
 
     /// Draws the scene that was uploaded in other orders, and keeps its vertices where they are.
@@ -163,7 +171,11 @@ impl<'c> GlMachine<'c> {
     /// If the driver has too little memory.
     pub(crate) fn reorder(&mut self, scene: &Scene, orders: &[Vec<[u32; 2]>]) -> Result<()> {
         match &mut self.geometry {
-            Some(geometry) => geometry.reorder(scene, orders),
+            Some(geometry) => {
+                geometry.reorder(scene, orders)?;
+                self.watch.set(Setting::Order(geometry.drawn()));
+                Ok(())
+            }
             None => Ok(()),
         }
     }
@@ -192,6 +204,9 @@ impl<'c> GlMachine<'c> {
         (self.geometry_passes, self.triangles) = (0, 0);
         if let Some(geometry) = &mut self.geometry {
             geometry.begin_frame();
+            self.watch.set(Setting::Order(geometry.drawn()));
+            let window = geometry.window().map(|side| side.max(0) as u32);
+            self.watch.set(Setting::Window(window));
         }
     }
 
@@ -245,6 +260,7 @@ impl<'c> GlMachine<'c> {
     /// (`// defines: method`) have them.
     pub fn set_defines(&mut self, defines: &[Define]) {
         self.programs.defines = defines.to_vec();
+        self.watch.set(Setting::Defines(defines));
     }
 
     /// Has surfaces tested, stored and compared by 1/w from now on, with the near plane at this distance. With `None`
@@ -263,6 +279,7 @@ impl<'c> GlMachine<'c> {
     /// Draws and clears only so many rows from `first` on, counted from the bottom. With `None`, all rows.
     pub(crate) fn set_band(&mut self, band: Option<[u32; 2]>) {
         self.band = band;
+        self.watch.set(Setting::Band(band));
         self.scissor_to_band();
     }
 
@@ -270,6 +287,7 @@ impl<'c> GlMachine<'c> {
     /// transparent surfaces may be.
     pub(crate) fn set_screen(&mut self, screen: Option<[u32; 4]>) {
         self.screen = screen;
+        self.watch.set(Setting::Screen(screen));
     }
 
     /// The scissor of the band, or `None` for the whole image.
@@ -303,7 +321,7 @@ impl<'c> GlMachine<'c> {
     /// The errors of `work`.
     pub fn save_and_restore<T>(&mut self, work: impl FnOnce(&mut Self) -> Result<T>) -> Result<T> {
         let counts = (self.geometry_passes, self.triangles);
-        let result = work(self);
+        let result = self.unwatched(work);
         (self.geometry_passes, self.triangles) = counts;
         result
     }

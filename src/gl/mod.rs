@@ -42,11 +42,13 @@ mod trap;
 mod units;
 mod uploading;
 mod volumes;
+mod watched;
 mod window;
+mod witness;
 
 pub(crate) use bindings::{BandParameters, LINKS, PIECES, RECORDS};
 pub use capture::{Captured, CapturedFragment, capture};
-pub(crate) use capture::{Piece, capture_in_pieces};
+pub(crate) use capture::{Piece, capture_at, capture_in_pieces};
 pub use classic::{ClassicState, FixedFunction};
 pub use context::{Backend, Context, ContextOptions, Profile, suspect_variables};
 pub use driver::{Driver, Trap, WANTED_EXTENSIONS};
@@ -58,6 +60,7 @@ pub use quirks::{LoopLimit, Quirks};
 pub use step_times::StepTime;
 pub use storage::{Texels, largest_storage};
 pub use volumes::MOST_VOLUMES;
+pub use witness::{DrawnOrder, Seen, Setting, Witness};
 
 // A map's format is part of the vocabulary.
 pub use crate::steps::Format;

@@ -6,6 +6,7 @@ use super::machine::GlMachine;
 use super::program::Define;
 use super::scan::scan_bytes;
 use super::storage::Texels;
+use super::witness::Setting;
 use crate::error::Result;
 use crate::scene::Scene;
 use crate::steps::{Format, Map, Storage, Target, Workspace};
@@ -20,7 +21,8 @@ impl<'c> GlMachine<'c> {
     /// # Errors
     /// If the driver has no room.
     pub fn allocate(&mut self, map: Map, format: Format) -> Result<()> {
-        self.maps.allocate(self.context, map, format)
+        self.maps.allocate(self.context, map, format)?;
+        self.watch.tell(|witness| witness.allocated(map, format))
     }
 
     /// Makes a map as wide as the image and of so many rows from the bottom, unless it is there in this format and has as
@@ -29,7 +31,8 @@ impl<'c> GlMachine<'c> {
     /// # Errors
     /// If the driver has no room.
     pub(crate) fn allocate_rows(&mut self, map: Map, format: Format, rows: u32) -> Result<()> {
-        self.maps.allocate_rows(self.context, map, format, rows)
+        self.maps.allocate_rows(self.context, map, format, rows)?;
+        self.watch.tell(|witness| witness.allocated(map, format))
     }
 
     /// How a map stores its texels.
@@ -88,11 +91,13 @@ impl<'c> GlMachine<'c> {
         colors: &[Map],
         depth: Option<Map>,
     ) -> Result<()> {
-        let colors = colors.iter().map(|&map| self.maps.get(map));
-        let colors = colors.collect::<Result<Vec<_>>>()?;
-        let depth = depth.map(|map| self.maps.get(map)).transpose()?;
+        let raw = colors.iter().map(|&map| self.maps.get(map));
+        let raw = raw.collect::<Result<Vec<_>>>()?;
+        let raw_depth = depth.map(|map| self.maps.get(map)).transpose()?;
         let gl = self.context.glow();
-        self.framebuffers.attach(gl, target, &colors, depth)
+        self.framebuffers.attach(gl, target, &raw, raw_depth)?;
+        self.watch
+            .tell(|witness| witness.framed(target, colors, depth))
     }
 
     /// Copies a framebuffer's colours into the default framebuffer, lower left corner on lower left corner.
@@ -157,6 +162,7 @@ impl<'c> GlMachine<'c> {
     /// If the driver has no room.
     pub(crate) fn set_parameters(&mut self, parameters: BandParameters) -> Result<()> {
         let gl = self.context.glow();
+        self.watch.set(Setting::Layers(parameters.layers));
         self.storages
             .allocate(self.context, BAND, BAND_BYTES, None)?;
         self.storages

@@ -75,6 +75,11 @@ impl<'c> Renderer<'c> {
         })
     }
 
+    /// The width and height of its images.
+    pub fn size(&self) -> [u32; 2] {
+        self.machine.size()
+    }
+
     /// The renderer with other formats for the image and the layers, and for every depth.
     #[must_use]
     pub fn with_formats(mut self, color: Format, depth: Format) -> Self {

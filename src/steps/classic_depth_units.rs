@@ -16,7 +16,7 @@ use super::classic::{ClassicCapability, TexEnvName, TexEnvValue, TextureTarget};
 use super::constants::{Capability, Compare};
 use super::depth_units::DepthUnits;
 use super::names::{Map, Query, Shader};
-use super::walk::Machine;
+use super::walk::{CallLine, Machine};
 use crate::error::{Error, Result};
 
 /// A machine with two depth units, made from one with classic calls.
@@ -171,5 +171,9 @@ impl<M: Machine> Machine for ClassicDepthUnits<'_, M> {
 
     fn samples(&mut self, query: Query) -> Result<u64> {
         self.units.samples(query)
+    }
+
+    fn follow(&mut self, line: &CallLine) {
+        self.units.follow(line);
     }
 }

@@ -16,7 +16,7 @@
 use super::call::Call;
 use super::constants::{Buffers, Capability, Compare};
 use super::names::Query;
-use super::walk::Machine;
+use super::walk::{CallLine, Machine};
 use crate::error::{Error, Result};
 
 /// A machine with two depth units, made from one with a single depth buffer and shadow lookups.
@@ -109,5 +109,9 @@ impl<M: Machine> Machine for DepthUnits<'_, M> {
 
     fn samples(&mut self, query: Query) -> Result<u64> {
         self.machine.samples(query)
+    }
+
+    fn follow(&mut self, line: &CallLine) {
+        self.machine.follow(line);
     }
 }

@@ -10,6 +10,7 @@ use super::expr::Condition;
 use super::lines::{Lines, TextLine, text};
 use super::listing::{Amendment, Dialect, Listing, Step};
 use super::names::{Index, Map};
+use super::walk::CallLine;
 
 /// The listing as its paper prints it, with `amendments` applied. Without any amendment, it is as it stands here.
 pub fn listing(listing: &Listing, amendments: &[Amendment]) -> String {
@@ -24,6 +25,20 @@ pub fn lines(listing: &Listing, amendments: &[Amendment]) -> Vec<TextLine> {
     };
     printer.steps(listing.steps, Scope::of(amendments), 0);
     printer.lines.done()
+}
+
+impl CallLine {
+    /// The line as its listing prints it.
+    pub fn text(&self) -> String {
+        match self.spelling {
+            Some(spelling) => spelling.text.to_owned(),
+            None => Printer {
+                dialect: self.dialect,
+                lines: Lines::of(self.source),
+            }
+            .call(&self.call),
+        }
+    }
 }
 
 struct Printer {

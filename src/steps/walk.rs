@@ -1,11 +1,12 @@
 //! Walking a listing: evaluating its expressions, resolving its names, and handing its calls to a machine.
 
-use super::amend::{Met, Scope};
+use super::amend::{Met, Scope, Spelling};
 use super::call::Call;
 use super::expr::{Condition, Expr, Variables};
 use super::format::Format;
-use super::listing::{Amendment, Listing, Reason, Step};
+use super::listing::{Amendment, Dialect, Listing, Reason, Step};
 use super::names::{Map, Query, Target};
+use super::origin::Origin;
 use crate::error::{Error, Result};
 
 /// A machine, which performs calls.
@@ -21,6 +22,26 @@ pub trait Machine {
     /// # Errors
     /// If the query has never been made.
     fn samples(&mut self, query: Query) -> Result<u64>;
+
+    /// Says which line of which listing the next call comes from. Only machines that keep a record of it do anything.
+    fn follow(&mut self, _: &CallLine) {}
+}
+
+/// A line of a listing that is a call: as it is written, with the names of variables.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CallLine {
+    /// The listing's title. Another listing may run it.
+    pub title: &'static str,
+    /// Where the listing is printed: paper, section, listing.
+    pub source: &'static str,
+    /// The listing's way of writing.
+    pub dialect: Dialect,
+    /// The call.
+    pub call: Call,
+    /// Where the line comes from, or `None` if nothing says so.
+    pub origin: Option<Origin>,
+    /// The paper's own spelling, if it is not how listings are printed anyway.
+    pub spelling: Option<Spelling>,
 }
 
 /// A machine that can be given maps, and framebuffers that draw into them.
@@ -71,14 +92,37 @@ pub fn run(
         stopped: None,
         variables,
     };
-    let mut walk = Walk { machine, outcome };
+    let mut walk = Walk {
+        machine,
+        listing: Named::of(listing),
+        outcome,
+    };
     walk.steps(listing.steps, Scope::of(amendments))?;
     Ok(walk.outcome)
 }
 
 struct Walk<'a, M> {
     machine: &'a mut M,
+    /// The innermost listing.
+    listing: Named,
     outcome: Outcome,
+}
+
+/// A listing without its steps.
+struct Named {
+    title: &'static str,
+    source: &'static str,
+    dialect: Dialect,
+}
+
+impl Named {
+    fn of(listing: &Listing) -> Self {
+        Self {
+            title: listing.title,
+            source: listing.source,
+            dialect: listing.dialect,
+        }
+    }
 }
 
 /// Whether the innermost loop goes on.
@@ -103,6 +147,14 @@ impl<M: Machine> Walk<'_, M> {
     fn step(&mut self, step: &Step, scope: Scope<'_, Step>) -> Result<Flow> {
         match *step {
             Step::Call(call) => {
+                self.machine.follow(&CallLine {
+                    title: self.listing.title,
+                    source: self.listing.source,
+                    dialect: self.listing.dialect,
+                    call,
+                    origin: scope.origin(),
+                    spelling: scope.spelling(),
+                });
                 let call = call.resolved(&|name| self.variable(name))?;
                 self.machine.perform(&call)?;
             }
@@ -165,7 +217,9 @@ impl<M: Machine> Walk<'_, M> {
                 listing,
                 amendments,
             } => {
+                let outer = std::mem::replace(&mut self.listing, Named::of(listing));
                 self.steps(listing.steps, scope.around(amendments))?;
+                self.listing = outer;
             }
             Step::Margin(_) => {}
         }

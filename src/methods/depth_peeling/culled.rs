@@ -8,7 +8,7 @@ use crate::gl::GlMachine;
 use crate::papers::stage::{ACCUMULATION, OPAQUE_DEPTH};
 use crate::papers::vtk::DEPTH_BUFFERS;
 use crate::scene::Scene;
-use crate::steps::{Call, Machine, Objects, Query};
+use crate::steps::{Call, CallLine, Machine, Objects, Query};
 
 /// A machine that has its transparent objects drawn without the triangles that lie before the last layer wherever they are
 /// seen, or where nothing is left. The listing does not know of it.
@@ -87,6 +87,10 @@ impl Machine for Culled<'_, '_> {
 
     fn samples(&mut self, query: Query) -> Result<u64> {
         self.machine.samples(query)
+    }
+
+    fn follow(&mut self, line: &CallLine) {
+        self.machine.follow(line);
     }
 }
 
