@@ -72,7 +72,9 @@ const TWINS: &[(&str, Twin)] = &twins! {
     multi_layer / composite,
     multi_layer / taken,
     verified / surface,
+    verified / pieces,
     verified / mark,
+    verified / behind,
     verified / count,
     verified / place,
     a_buffer / count,
@@ -90,6 +92,7 @@ const TESTED_EARLY: &[&str] = &[
     "a_buffer/fill",
     "a_buffer/fill_ordered",
     "multi_layer/insert",
+    "verified/behind",
     "verified/count",
     "verified/mark",
 ];
@@ -100,7 +103,6 @@ const DEFINES: &[(&str, &[&str])] = &[
     ("multi_layer/begin", &["NODES"]),
     ("multi_layer/insert", &["NODES", "IMAGES"]),
     ("multi_layer/composite", &["NODES"]),
-    ("verified/mark", &["OPAQUE"]),
     ("a_buffer/fill", LISTS),
     ("a_buffer/fill_ordered", LISTS),
     ("a_buffer/resolve", LISTS),
@@ -169,8 +171,7 @@ mod tests {
 
     use super::*;
 
-    /// Nothing that a method does by default is drawn with these: what looks at OpenGL itself, what the emulated pixel leaves
-    /// out, and the parts of programs that say what a surface's colour is.
+    /// What looks at OpenGL itself, what the emulated pixel leaves out, and the parts of programs that say what a surface's colour is.
     const WITHOUT_TWINS: &[&str] = &["capture", "trap", "classic/", "invariance/", "surface/"];
 
     fn root() -> &'static Path {

@@ -54,6 +54,7 @@ mod tests {
     use super::*;
     use crate::low_level::emulator::Fate;
     use crate::report::Plot;
+    use crate::steps::Objects;
 
     #[test]
     fn each_fragment_has_the_colour_and_the_letter_of_its_fate() {
@@ -63,7 +64,9 @@ mod tests {
             outcome,
             stencil: [0, 1],
             stored_depth: [1.0, 0.5],
-            color: [[0.0; 4]; 2],
+            colors: Vec::new(),
+            images: Vec::new(),
+            list: None,
         };
         let outcomes = [
             FragmentOutcome::Pass,
@@ -74,6 +77,10 @@ mod tests {
         ];
         let draw = Draw {
             program: "a program",
+            objects: Objects::Transparent,
+            target: None,
+            colors: Vec::new(),
+            depth: None,
             fates: (0..).zip(outcomes).map(|(n, it)| fate(n, it)).collect(),
             left: (251, 0.7536),
         };

@@ -4,8 +4,8 @@
 use onionskin::low_level::emulator::Emulator;
 use onionskin::low_level::methods::allocate_maps;
 use onionskin::low_level::papers::edition::{
-    BACKGROUND_BEHIND, COUNT_MARKED, FAILED, NOTHING_OPAQUE, PLACE_RESOLVED, PROOF_DEPTH, RESOLVED,
-    RESOURCES, VERIFIED_PAINTER,
+    BACKGROUND_BEHIND, COUNT_MARKED, FAILED, NOTHING_OPAQUE, OPAQUE_BEHIND, PLACE_RESOLVED,
+    PROOF_DEPTH, RESOLVED, RESOURCES, VERIFIED_PAINTER,
 };
 use onionskin::low_level::papers::lindholm_2015 as paper;
 use onionskin::low_level::papers::stage;
@@ -30,6 +30,7 @@ fn emulator(context: &Context, scene: &Scene) -> Emulator {
     )
     .unwrap();
     emulator.allocate(paper::COUNTER, Format::R32Ui).unwrap();
+    emulator.allocate(RESOLVED, color).unwrap();
     let targets = [
         (paper::CLEARED, Some(paper::COUNTER), None),
         (paper::FILL, None, Some(PROOF_DEPTH)),
@@ -93,9 +94,11 @@ fn paint(emulator: &mut Emulator, scene: &Scene) {
     // Lists are filled in the order of submission.
     emulator.set_order(None);
     go(emulator, &COUNT_MARKED, &[]);
-    if !has_opaque {
-        go(emulator, &BACKGROUND_BEHIND, &[]);
-    }
+    let behind = match has_opaque {
+        true => OPAQUE_BEHIND,
+        false => BACKGROUND_BEHIND,
+    };
+    go(emulator, &behind, &[]);
     perform(
         emulator,
         &[

@@ -1,8 +1,10 @@
 //! The twins of `glsl/verified/`.
 
+pub(super) mod behind;
 pub(super) mod count;
 mod hidden;
 pub(super) mod mark;
+pub(super) mod pieces;
 pub(super) mod place;
 pub(super) mod surface;
 

@@ -5,14 +5,23 @@ use half::f16;
 use crate::low_level::emulator::invocation::{Appended, Inputs};
 use crate::low_level::fragment::Fragment;
 
-/// The record, whose colour has 16 bits for each channel, or 32 with FLOAT_COLOR.
+/// 24 bits.
+const LARGEST: f32 = 16_777_215.0;
+
+/// The record. Its colour has 16 bits for each channel, 32 with FLOAT_COLOR, or 24 with FIXED_COLOR. Then its id is in no
+/// buffer, and known here all the same.
 fn record(i: &Inputs<'_>) -> Fragment {
-    let color = i.surface_color().map(|channel| match i.is("FLOAT_COLOR") {
-        true => channel,
-        false => f16::from_f32(channel).to_f32(),
-    });
+    let stored = |channel: f32| {
+        if i.is("FLOAT_COLOR") {
+            channel
+        } else if i.is("FIXED_COLOR") {
+            (channel.clamp(0.0, 1.0) * LARGEST).round_ties_even() / LARGEST
+        } else {
+            f16::from_f32(channel).to_f32()
+        }
+    };
     Fragment {
-        color: color.into(),
+        color: i.surface_color().map(stored).into(),
         ..i.fragment
     }
 }
