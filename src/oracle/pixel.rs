@@ -9,7 +9,7 @@ use std::cmp::Ordering;
 
 use super::coplanar::coplanar;
 use super::surfaces::{Meeting, Surfaces};
-use super::volumes::{self, Ray};
+use super::volumes::{self, Ray, Segment};
 use super::{DepthBuffer, under};
 use crate::fragment::Rgba;
 use crate::scene::Volume;
@@ -131,6 +131,17 @@ impl<'l> Visible<'l> {
 
     /// Composites the surfaces over a background, with the light of volumes between them.
     pub fn composite(&self, background: [f32; 3], ray: &Ray, volumes: &[Volume]) -> [f64; 4] {
+        self.composite_telling(background, ray, volumes, |_| {})
+    }
+
+    /// The same, and tells of each part of the ray that is inside of volumes, nearest first.
+    pub fn composite_telling(
+        &self,
+        background: [f32; 3],
+        ray: &Ray,
+        volumes: &[Volume],
+        mut told: impl FnMut(Segment),
+    ) -> [f64; 4] {
         let end = self
             .opaque
             .map_or(ray.far, |opaque| 1.0 / opaque.at.inverse);
@@ -147,7 +158,7 @@ impl<'l> Visible<'l> {
             under(&mut image, &mut visible, background);
             return [image[0], image[1], image[2], 1.0 - visible];
         }
-        volumes::composite_between(surfaces, end, background, ray, volumes)
+        volumes::composite_between(surfaces, end, background, ray, volumes, &mut told)
     }
 }
 

@@ -79,7 +79,21 @@ pub fn composite(
         background,
         ray,
         volumes,
+        &mut |_| {},
     )
+}
+
+/// A part of a ray between two events, in which it is inside of some volumes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Segment {
+    /// The distances at which it begins and ends.
+    pub distances: [f64; 2],
+    /// The volumes' numbers in the scene.
+    pub volumes: Vec<usize>,
+    /// The light that the pixel has from it.
+    pub light: [f64; 3],
+    /// The part of the light that comes to the eye from behind the segments before it, and that it stops.
+    pub stopped: f64,
 }
 
 /// The same with sorted surfaces, nearest first, each with its distance, and with an opaque background at the distance
@@ -90,10 +104,11 @@ pub(super) fn composite_between(
     background: Rgba,
     ray: &Ray,
     volumes: &[Volume],
+    told: &mut dyn FnMut(Segment),
 ) -> [f64; 4] {
-    let crossings: Vec<_> = volumes
-        .iter()
-        .filter_map(|volume| Crossing::of(ray, end, volume))
+    let crossings = volumes.iter().enumerate();
+    let crossings: Vec<_> = crossings
+        .filter_map(|(number, volume)| Crossing::of(ray, end, number, volume))
         .collect();
     let mut seen = Seen {
         image: [0.0; 3],
@@ -103,7 +118,17 @@ pub(super) fn composite_between(
     let mut at = ray.near;
     for (distance, event) in events(surfaces, &crossings) {
         let occupied = crossings.iter().zip(&inside).filter(|(_, inside)| **inside);
-        seen.cast(ray, [at, distance], occupied.map(|(crossing, _)| crossing));
+        let occupied: Vec<_> = occupied.map(|(crossing, _)| crossing).collect();
+        let before = (seen.image, seen.visible);
+        seen.cast(ray, [at, distance], occupied.iter().copied());
+        if !occupied.is_empty() && at < distance {
+            told(Segment {
+                distances: [at, distance],
+                volumes: occupied.iter().map(|crossing| crossing.number).collect(),
+                light: std::array::from_fn(|channel| seen.image[channel] - before.0[channel]),
+                stopped: before.1 - seen.visible,
+            });
+        }
         at = distance;
         match event {
             Event::Surface(color) => under(&mut seen.image, &mut seen.visible, color),
@@ -145,6 +170,8 @@ fn events(
 
 /// A volume, and the distances between which a ray is inside of it.
 struct Crossing<'v> {
+    /// The volume's number in the scene.
+    number: usize,
     volume: &'v Volume,
     /// The ray, in the volume's indices.
     origin: DVec3,
@@ -156,7 +183,7 @@ struct Crossing<'v> {
 impl<'v> Crossing<'v> {
     /// The crossing of a ray, from its beginning to `end`, with a volume: the part between the planes of all three
     /// pairs of faces. `None` if there is no such part.
-    fn of(ray: &Ray, end: f64, volume: &'v Volume) -> Option<Self> {
+    fn of(ray: &Ray, end: f64, number: usize, volume: &'v Volume) -> Option<Self> {
         let to_index = volume.world_to_index();
         let origin = to_index.transform_point3(ray.origin);
         let direction = to_index.transform_vector3(ray.direction);
@@ -175,6 +202,7 @@ impl<'v> Crossing<'v> {
             leave = leave.min(first.max(second));
         }
         (enter < leave).then_some(Self {
+            number,
             volume,
             origin,
             direction,
