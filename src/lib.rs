@@ -42,11 +42,14 @@ pub mod findings {}
 /// What [the crate's root](crate) offers is here, too, in its module. Names here change more often than those in the root.
 #[path = ""]
 pub mod low_level {
+    #[cfg(feature = "edition")]
+    pub mod edition;
     pub mod emulator;
     pub mod error;
     pub mod fragment;
     pub mod gl;
     pub mod image;
+    pub mod inspect;
     pub mod memory;
     pub mod methods;
     pub mod oracle;
@@ -59,7 +62,9 @@ pub mod low_level {
 }
 
 // Inside of the crate, paths begin with a room.
-use low_level::{error, fragment, gl, image, memory, methods, oracle, papers, scene, steps, words};
+use low_level::{
+    emulator, error, fragment, gl, image, memory, methods, oracle, papers, scene, steps, words,
+};
 
 #[doc(inline)]
 pub use error::{Error, Result};
@@ -69,6 +74,8 @@ pub use fragment::{Fragment, Rgba};
 pub use gl::{Backend, Context, ContextOptions};
 #[doc(inline)]
 pub use image::{Comparison, Encoding, Image, difference_picture};
+#[doc(inline)]
+pub use low_level::inspect;
 #[cfg(feature = "report")]
 #[doc(inline)]
 pub use low_level::report;

@@ -20,6 +20,12 @@ pub trait Words: Copy + PartialEq + 'static {
         let place = Self::VALUES.iter().position(|&value| value == self);
         place.map_or("other", |place| Self::WORDS[place].0)
     }
+
+    /// The meaning of the value's word, or nothing if it has none.
+    fn meaning(self) -> &'static str {
+        let place = Self::VALUES.iter().position(|&value| value == self);
+        place.map_or("", |place| Self::WORDS[place].1)
+    }
 }
 
 /// The value of a word.

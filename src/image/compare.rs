@@ -90,6 +90,11 @@ impl Comparison {
     }
 }
 
+/// The largest difference of a channel.
+pub(crate) fn difference(a: Rgba, b: Rgba) -> f64 {
+    differences(a, b).into_iter().fold(0.0, f64::max)
+}
+
 fn differences(a: Rgba, b: Rgba) -> [f64; 4] {
     let (a, b) = (a.to_array(), b.to_array());
     std::array::from_fn(|channel| {

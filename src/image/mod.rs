@@ -6,6 +6,7 @@ mod load;
 mod output;
 mod resemblance;
 
+pub(crate) use compare::difference;
 pub use compare::{Comparison, difference_picture};
 pub use file::{Encoding, FileKind};
 pub(crate) use output::write_whole;

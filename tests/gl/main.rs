@@ -55,6 +55,7 @@ mod fused;
 mod fused_as_printed;
 mod fused_changed;
 mod fused_lockstep;
+mod inspect;
 mod invariance;
 mod lists_lockstep;
 mod lockstep;
