@@ -15,6 +15,7 @@ mod errata;
 mod flags;
 mod frame_folder;
 mod frame_row;
+mod inspect;
 mod ledger;
 mod licences;
 mod listing;
@@ -57,6 +58,7 @@ Examples:
   onionskin bench examples/scenes/teapot.toml          what each method costs, relative to plain blending
   onionskin check examples/scenes/teapot.toml my.png   is my renderer's image right?
   onionskin complexity examples/scenes/teapot.toml     how many layers each pixel has
+  onionskin inspect scene.toml --worst -m painter      what happened to each fragment of a pixel
   onionskin animate scene.toml -o frames               a camera path as pictures and a table
   onionskin listing everitt/listing-1                  what depth peeling does, as the paper has it
   onionskin claims everitt                             what a paper claims, and whether it is true
@@ -72,6 +74,7 @@ enum Command {
     Bench(bench::Bench),
     Check(check::Check),
     Complexity(complexity::Complexities),
+    Inspect(inspect::Inspect),
     Animate(animate::Animate),
     Listing(listing::Listing),
     Claims(claims::Claims),
@@ -96,6 +99,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Bench(bench) => bench.run(),
         Command::Check(check) => check.run(),
         Command::Complexity(complexity) => complexity.run(),
+        Command::Inspect(inspect) => inspect.run(),
         Command::Animate(animate) => animate.run(),
         Command::Listing(listing) => listing.run(),
         Command::Claims(claims) => claims.run(),

@@ -6,12 +6,13 @@ use onionskin::registry;
 use crate::kit::cli::{Answer, Desk};
 use crate::kit::golden::assert_golden;
 
-const SUBCOMMANDS: [&str; 12] = [
+const SUBCOMMANDS: [&str; 13] = [
     "render",
     "compare",
     "bench",
     "check",
     "complexity",
+    "inspect",
     "animate",
     "listing",
     "claims",

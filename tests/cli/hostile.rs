@@ -78,7 +78,7 @@ fn commands_and_options_that_there_are_not() {
             &["--sise", "--size"],
         ),
         (&["compare"], &["SCENE|MODEL"]),
-        (&["compare", "m.obj", "-o", "a.png"], &["-o"]),
+        (&["doctor", "-o", "a.png"], &["-o"]),
         (&["check", "m.obj"], &["IMAGE"]),
         (&["check", "m.obj", "kept.png", "kept.png"], &["kept.png"]),
         (&["complexity"], &["SCENE|MODEL"]),
