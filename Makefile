@@ -40,7 +40,7 @@ lint: features
 	$(CARGO) clippy --all-targets --locked -- -D warnings
 
 # The library with none of its features, and with each of them alone.
-FEATURES := none formats report cli
+FEATURES := none formats report edition cli
 features: $(addprefix feature-,$(FEATURES))
 $(addprefix feature-,$(FEATURES)): feature-%:
 	$(CARGO) clippy --lib --locked --no-default-features $(if $(filter-out none,$*),--features $*) -- -D warnings

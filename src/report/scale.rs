@@ -228,14 +228,8 @@ mod tests {
         let values: Vec<f64> = (0..=20).map(f64::from).collect();
         let rising = measure(&values).image();
         let falling = measure(&values).inverted().image();
-        assert!(rising.pixels.is_sorted_by_key(|p| lightness(p)));
-        assert!(
-            falling
-                .pixels
-                .iter()
-                .rev()
-                .is_sorted_by_key(|p| lightness(p))
-        );
+        assert!(rising.pixels.is_sorted_by_key(lightness));
+        assert!(falling.pixels.iter().rev().is_sorted_by_key(lightness));
         assert_eq!(falling.pixel(0, 0), Rgba::opaque([1.0; 3]));
         assert_eq!(falling.pixel(20, 0), Rgba::opaque([0.0; 3]));
     }

@@ -135,8 +135,8 @@ fn the_pixel_of_figure_2_has_the_paper_s_trace() {
     let in_pass = |number: usize| {
         let title = format!("Pass {number}:");
         let passes = history.passes.iter();
-        let pass = passes.filter(|pass| pass.lines.last().unwrap().title.starts_with(&title));
-        let held = &pass.skip(1).next().unwrap().held;
+        let mut pass = passes.filter(|pass| pass.lines.last().unwrap().title.starts_with(&title));
+        let held = &pass.nth(1).unwrap().held;
         (held.stencil.unwrap(), held.depth.unwrap())
     };
     // A piece is two triangles, of which one covers the pixel's centre.

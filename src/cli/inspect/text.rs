@@ -90,16 +90,18 @@ fn summary(history: &History) -> String {
     text
 }
 
+type IsFate = fn(&Fate) -> bool;
+
 fn count(history: &History) -> String {
     let all = history.fragments.len();
     if all == 0 {
         return "none: the pixel shows the background".into();
     }
-    let of = |is: fn(&Fate) -> bool| {
+    let of = |is: IsFate| {
         let fates = history.fragments.iter().map(|fragment| &fragment.fate);
         fates.filter(|fate| is(fate)).count()
     };
-    let kinds: [(&str, fn(&Fate) -> bool); 7] = [
+    let kinds: [(&str, IsFate); 7] = [
         ("composited", |fate| matches!(fate, Fate::Composited(_))),
         ("mixed", |fate| *fate == Fate::Mixed),
         ("opaque", |fate| *fate == Fate::Opaque),
