@@ -3,8 +3,8 @@
 use crate::error::Result;
 use crate::steps::{Call, CallLine, Format, Held, Map, Target};
 
-/// A witness of a machine's work ([`GlMachine::set_witness`]). Work that is not the method's
-/// ([`GlMachine::save_and_restore`]) is not shown to it, and neither is what it makes the machine do itself.
+/// A witness of a machine's work ([`GlMachine::set_witness`](crate::gl::GlMachine::set_witness)). Work that is not the
+/// method's ([`GlMachine::save_and_restore`](crate::gl::GlMachine::save_and_restore)) is not shown to it.
 pub trait Witness {
     /// A map has been made, unless it was there in this format.
     ///
