@@ -12,6 +12,7 @@
 //! | `parts_at` | the first layer at which they differ, counted from 0, or null |
 //! | `image`, `error` | the colour on OpenGL; its largest difference from the exact one |
 //! | `list` | what resolving the pixel's list took, or null: `records_read`, `composited`, `subpasses`, `slots_reserved`, `slots_used` |
+//! | `marked` | whether the verified painter could not prove the pixel's order; null by other methods |
 //! | `stopped` | why the method's loop ended, or null |
 //! | `agree` | whether OpenGL and the emulated pixel hold the same after every pass that was compared |
 //! | `not_followed` | steps that the emulated pixel could not follow |
@@ -66,6 +67,7 @@ pub fn object(history: &History) -> Value {
             "slots_reserved": it.slots[0],
             "slots_used": it.slots[1],
         })),
+        "marked": history.marked,
         "stopped": history.stopped.map(|reason| reason.to_string()),
         "agree": history.differences().next().is_none(),
         "not_followed": history.not_followed,

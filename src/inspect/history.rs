@@ -41,6 +41,8 @@ pub struct History {
     pub error: f64,
     /// What resolving the pixel's fragment list took, if the method has lists.
     pub list: Option<ListCosts>,
+    /// Whether the verified painter could not prove the pixel's order, or `None` by other methods.
+    pub marked: Option<bool>,
     /// The reason for which the method's loop ended, if it has one.
     pub stopped: Option<Reason>,
     /// The steps that the emulated pixel could not follow, with the reason. From the first of them on, it is not compared.

@@ -28,6 +28,7 @@ mod follower;
 mod fragments;
 mod history;
 mod recording;
+mod seen;
 mod trace;
 mod watched;
 

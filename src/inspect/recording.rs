@@ -5,6 +5,7 @@ use crate::emulator::{Emulator, Surface};
 use crate::error::Result;
 use crate::gl::Setting;
 use crate::papers::stage;
+use crate::steps::gl::glClearColor;
 use crate::steps::{Call, Format, Machine, Map, Resources, Target, Workspace};
 
 /// The reason for which triangles in pieces are not followed.
@@ -77,15 +78,8 @@ impl Done {
             Self::Framebuffer(target, colors, depth) => {
                 return emulator.framebuffer_with(*target, colors, *depth);
             }
-            Self::Background([red, green, blue]) => {
-                let alpha = 1.0;
-                let (red, green, blue) = (*red, *green, *blue);
-                return emulator.perform(&Call::ClearColor {
-                    red,
-                    green,
-                    blue,
-                    alpha,
-                });
+            &Self::Background([red, green, blue]) => {
+                return emulator.perform(&glClearColor(red, green, blue, 1.0));
             }
             Self::Call(call) => return emulator.perform(call),
             Self::Order(order) => emulator.set_order(Some(order)),

@@ -86,6 +86,12 @@ fn a_pixel_is_found_by_what_happens_there() {
     assert_eq!(tied["fragments"][1]["depth"], tied["fragments"][2]["depth"]);
     let marked = object(&desk, &["--where", "marked", "-m", "verified-painter"]);
     assert_eq!(fates(&marked), ["composited"; 3]);
+    assert_eq!(marked["marked"], true);
+    let apart = Desk::new().with("s.toml", SHEETS.replace("0.5, 0.5]", "0.5, 0.75]"));
+    let proved = object(&apart, &["--pixel", "3,4", "-m", "verified-painter"]);
+    assert_eq!(proved["marked"], false);
+    let peeled = object(&apart, &["--pixel", "3,4", "-m", "layer-peeling"]);
+    assert_eq!(peeled["marked"], Value::Null);
     assert_eq!(
         object(&desk, &["--deepest"])["fragments"]
             .as_array()

@@ -83,6 +83,13 @@ fn summary(history: &History) -> String {
             ),
         );
     }
+    if let Some(marked) = history.marked {
+        let proof = match marked {
+            true => "failed: the pixel is marked and has a list",
+            false => "in order, so one pass is exact",
+        };
+        row("proof", proof.into());
+    }
     if let Some(reason) = history.stopped {
         row("stopped", reason.to_string());
     }

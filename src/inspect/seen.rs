@@ -1,0 +1,195 @@
+//! What was seen at a pixel, put together: its fragments, the oracle's answer, the method's passes.
+
+use super::composite::Composite;
+use super::drawn_order::Numbering;
+use super::exact::Exact;
+use super::fates::Ends;
+use super::follower::Followed;
+use super::history::{FragmentHistory, History, ListCosts, Pass, RaySegment};
+use crate::emulator::FragmentOutcome;
+use crate::fragment::{Fragment, Rgba};
+use crate::gl::{CapturedFragment, GlMachine};
+use crate::methods::Frame;
+use crate::oracle::DepthBuffer;
+use crate::oracle::surfaces::Surfaces;
+use crate::oracle::volumes::Segment;
+use crate::scene::Scene;
+use crate::steps::Texel;
+
+/// What was seen at a pixel, but for the image.
+pub(super) struct Seen {
+    scene: String,
+    fragments: Vec<FragmentHistory>,
+    exact: Composite,
+    ray: Vec<RaySegment>,
+    composited: Option<Composite>,
+    followed: Followed,
+}
+
+impl Seen {
+    pub(super) fn history(self, [x, from_below]: [u32; 2], frame: &Frame) -> History {
+        let size = [frame.image.width, frame.image.height];
+        let y = size[1] - 1 - from_below;
+        let image = frame.image.pixel(x, y).to_array();
+        let channels = image.iter().zip(self.exact.color);
+        let error = channels.map(|(a, b)| (f64::from(*a) - b).abs());
+        let parts_at = self.composited.as_ref();
+        History {
+            scene: self.scene,
+            method: frame.stats.method.to_string(),
+            chosen: frame.stats.chosen.as_ref().map(|it| it.method.to_string()),
+            size,
+            pixel: [x, y],
+            parts_at: parts_at.and_then(|it| self.exact.parts_from(it)),
+            error: error.fold(0.0, f64::max),
+            fragments: self.fragments,
+            list: list_costs(&self.followed.passes),
+            marked: is_marked(&self.followed.passes),
+            passes: self.followed.passes,
+            exact: self.exact,
+            ray: self.ray,
+            composited: self.composited,
+            image,
+            stopped: frame.stats.stopped,
+            not_followed: self.followed.not_followed,
+        }
+    }
+}
+
+/// A scene as a frame sees it.
+pub(super) struct View<'s> {
+    scene: &'s Scene,
+    numbering: &'s Numbering,
+    size: [u32; 2],
+    surfaces: Surfaces<'s>,
+    buffer: DepthBuffer,
+}
+
+impl<'s> View<'s> {
+    pub(super) fn of(machine: &GlMachine<'_>, scene: &'s Scene, numbering: &'s Numbering) -> Self {
+        let size = machine.size();
+        let buffer = DepthBuffer::float(&scene.camera, size);
+        Self {
+            scene,
+            numbering,
+            size,
+            surfaces: Surfaces::of(scene, size),
+            buffer: match machine.has_inverse_w() {
+                true => buffer.of_inverse_w(),
+                false => buffer,
+            },
+        }
+    }
+
+    /// What was seen at a pixel: in column x from the left and row y from the bottom, with these fragments.
+    pub(super) fn seen(
+        &self,
+        pixel: [u32; 2],
+        captured: &[CapturedFragment],
+        mut followed: Followed,
+    ) -> Seen {
+        let scene = self.scene;
+        let exact = Exact::of(
+            scene,
+            &self.surfaces,
+            &self.buffer,
+            self.size,
+            pixel,
+            captured,
+        );
+        let behind = exact.opaque.map(|it| captured[it as usize].color);
+        let behind = behind.unwrap_or(Rgba::opaque(scene.background));
+        let weights = followed.weights();
+        let composited = followed.composited().map(|numbers| {
+            let color = |number: u32| (number, captured[number as usize].color);
+            Composite::of(numbers.into_iter().map(color), behind)
+        });
+        let list: Vec<_> = (0..).zip(captured).map(|(n, it)| fragment(n, it)).collect();
+        let ends = Ends {
+            exact: &exact.composite,
+            opaque: exact.opaque,
+            composited: composited.as_ref(),
+            weights: weights.as_deref(),
+        };
+        let fates = ends.fates(&list);
+        let rows = captured.iter().zip(&exact.depths).zip(fates);
+        let fragments = (0..).zip(rows).map(|(number, ((it, &depth), fate))| {
+            let [mesh, triangle] = self.numbering.triangle(scene, it.order).place;
+            let mesh = &scene.meshes[mesh as usize];
+            FragmentHistory {
+                mesh: mesh.name.clone(),
+                triangle,
+                opaque: mesh.opaque,
+                depth,
+                stored_depth: it.depth,
+                color: it.color,
+                pass: last_pass(&followed.passes, number),
+                exact_weight: exact.composite.weight(number),
+                weight: weights.as_ref().map(|weights| weights[number as usize]),
+                fate,
+            }
+        });
+        Seen {
+            scene: scene.name.clone(),
+            fragments: fragments.collect(),
+            exact: exact.composite,
+            ray: exact.ray.iter().map(|it| ray_segment(scene, it)).collect(),
+            composited,
+            followed,
+        }
+    }
+}
+
+fn ray_segment(scene: &Scene, segment: &Segment) -> RaySegment {
+    let names = segment.volumes.iter();
+    let names = names.map(|&number| scene.volumes[number].name.clone());
+    RaySegment {
+        distances: segment.distances,
+        volumes: names.collect(),
+        light: segment.light,
+        stopped: segment.stopped,
+    }
+}
+
+/// The costs that the resolve pass has stored beside the image ([`COST`](crate::papers::lindholm_2015::COST)).
+fn list_costs(passes: &[Pass]) -> Option<ListCosts> {
+    let resolving = passes.iter().rev();
+    let mut resolving = resolving.filter(|pass| pass.program.starts_with("a_buffer/resolve"));
+    match *resolving.next()?.held.colors {
+        [
+            _,
+            Texel::Integers([records_read, composited, subpasses, slots]),
+        ] => Some(ListCosts {
+            records_read,
+            composited,
+            subpasses,
+            slots: [slots >> 16, slots & 0xFFFF],
+        }),
+        _ => None,
+    }
+}
+
+/// Whether the verified painter marked the pixel: whether its stencil value is not 0 after the pass that proves.
+fn is_marked(passes: &[Pass]) -> Option<bool> {
+    let proves = |pass: &&Pass| ["verified/surface", "verified/pieces"].contains(&&*pass.program);
+    let held = &passes.iter().find(proves)?.held;
+    held.stencil.map(|stencil| stencil > 0)
+}
+
+/// The last pass in which a fragment passed every test.
+fn last_pass(passes: &[Pass], number: u32) -> Option<usize> {
+    let passed = |pass: &Pass| {
+        let mut events = pass.events.iter();
+        events.any(|it| it.fragment == number && it.outcome == FragmentOutcome::Pass)
+    };
+    passes.iter().rposition(passed)
+}
+
+/// A fragment by its number at the pixel.
+pub(super) fn fragment(number: u32, captured: &CapturedFragment) -> Fragment {
+    Fragment {
+        depth: captured.depth,
+        color: captured.color,
+        order: number,
+    }
+}
