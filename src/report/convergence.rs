@@ -89,13 +89,13 @@ impl Drawing for Chart<'_> {
             .label_style((FAMILY, 18))
             .y_label_formatter(&|y| format!("{y:.0}"))
             .draw()?;
+        let points = |values: &[f64]| -> Vec<_> {
+            let places = refined.iter().copied();
+            places.zip(values.iter().copied()).collect()
+        };
         for ((name, values), color) in self.left.curves.iter().zip(LEFT) {
             let color = palette::of_text(name).unwrap_or(color);
-            let points: Vec<_> = refined
-                .iter()
-                .copied()
-                .zip(values.iter().copied())
-                .collect();
+            let points = points(values);
             let line = PathElement::new(points.clone(), color.stroke_width(3));
             chart.draw_series([line])?;
             let marks = points
@@ -108,11 +108,7 @@ impl Drawing for Chart<'_> {
         }
         for ((name, values), color) in self.right.curves.iter().zip(RIGHT) {
             let color = palette::of_text(name).unwrap_or(color);
-            let points: Vec<_> = refined
-                .iter()
-                .copied()
-                .zip(values.iter().copied())
-                .collect();
+            let points = points(values);
             let line = PathElement::new(points.clone(), color.stroke_width(2));
             chart.draw_secondary_series([line])?;
             let marks = points

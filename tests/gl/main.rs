@@ -78,5 +78,6 @@ mod slices;
 mod smallest_change;
 mod uploads;
 mod verified_painter;
+mod verified_painter_pieces;
 mod volumes;
 mod weighted_blended;

@@ -22,7 +22,7 @@ const WITHOUT_CLAIMS: [(&str, &str); 5] = [
     ),
     (
         "triangles_that_cross_planes_are_drawn_in_pieces",
-        include_str!("../gl/verified_painter.rs"),
+        include_str!("../gl/verified_painter_pieces.rs"),
     ),
     (
         "a_query_that_is_read_a_peel_late_costs_one_peel_and_changes_no_bit",

@@ -36,6 +36,7 @@ mod array_sort;
 mod bands;
 mod choices;
 mod counting;
+mod defines;
 mod entries;
 mod lists;
 mod loops;
@@ -48,9 +49,7 @@ pub(super) use marked::MarkedLists;
 use bands::{Band, Budget, bands, fixed, preferred};
 pub use options::{ABufferOptions, ArraySort, Fill, Keep, LARGEST_NETWORK, Manager, RecordColor};
 
-use array_sort::{inserts, network_size};
-
-use options::SMALLEST_SEGMENT;
+use array_sort::inserts;
 
 use super::algorithm::{Algorithm, Composited, Drawn};
 use super::expect_known::expect_known;
@@ -63,9 +62,6 @@ use crate::papers::lindholm_2015 as paper;
 use crate::papers::stage;
 use crate::scene::{Scene, Shading};
 use crate::steps::{Amendment, Listing, Machine, Reading, Reason, Resources, Variables, run};
-
-/// More subpasses than a pixel can have, and a number that GLSL takes as an integer.
-const NO_LIMIT: u32 = i32::MAX as u32;
 
 struct ABuffer {
     options: ABufferOptions,
@@ -152,49 +148,6 @@ impl ABuffer {
                 (None, None) => preferred(quirks, triangles, self.options.record_bytes()),
             },
         }
-    }
-
-    /// The shaders' defines.
-    fn defines(&self, machine: &GlMachine<'_>, insertion: bool) -> Vec<(&'static str, u32)> {
-        let options = &self.options;
-        let quirks = machine.context().driver().quirks();
-        let yes = u32::from;
-        let deepest = match insertion {
-            true => options.array,
-            false => network_size(options, self.layers),
-        };
-        let mut defines = self.volumes.to_vec();
-        defines.extend([
-            ("MARKED", yes(self.marked)),
-            ("OPAQUE", yes(self.opaque)),
-            ("FFB", Manager::Ffb as u32),
-            ("DFB", Manager::Dfb as u32),
-            ("PPLL", Manager::Ppll as u32),
-            ("MANAGER", options.manager as u32),
-            ("OFFSETS", yes(options.has_offsets())),
-            // Ordered fragments leave lists in the order of submission.
-            ("IN_ORDER", yes(self.in_order(machine))),
-            ("KEYS_AS_DOUBLES", yes(quirks.quick_doubles)),
-            ("FLOAT_COLOR", yes(options.color == RecordColor::Float)),
-            ("FIXED_COLOR", yes(options.color == RecordColor::Fixed)),
-            ("TERMINATION", options.termination.to_bits()),
-            // What differs is ppDP alone: without it, all readings are one program.
-            ("AS_PRINTED", yes(options.pp_dp && options.is_printed())),
-            (
-                "LITERAL",
-                yes(options.pp_dp && options.reading == Reading::Literal),
-            ),
-            ("PEEL_ALWAYS", yes(options.pp_dp && !options.pp_ao)),
-            ("PP_DP", yes(options.pp_dp)),
-            ("MOST_SUBPASSES", options.most_subpasses.unwrap_or(NO_LIMIT)),
-            ("FIRST_SEGMENT", SMALLEST_SEGMENT),
-            ("LAST_SEGMENT", options.array),
-            ("KEEP_NEAREST", yes(options.keep == Keep::Nearest)),
-            ("SORT_BY_INSERTION", yes(insertion)),
-            ("LARGEST_NETWORK", LARGEST_NETWORK),
-            ("DEEPEST", deepest),
-        ]);
-        defines
     }
 }
 
