@@ -59,6 +59,7 @@ fn ray() -> RayScene<'static> {
     let volume = |medium, step| RayVolume { medium, step };
     RayScene {
         planes: [1.0, 6.0],
+        inverse_w: false,
         slant: 1.0,
         opaque: 0.88,
         volumes: vec![volume(&thin, 0.5), volume(&growing, 0.25)],

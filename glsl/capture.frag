@@ -4,6 +4,8 @@
 vec4 surface_color();    // surface/unlit.frag, lit.frag or slice.frag
 
 #include "common/fragment_depth.glsl"
+#include "a_buffer/id.glsl"
+#include "a_buffer/box.glsl"
 
 layout(early_fragment_tests) in;
 uniform uint first_triangle;
@@ -12,8 +14,8 @@ struct Captured {
     uint x;
     uint y;
     float depth;
-    uint triangle;
-    vec4 color;
+    uint source;    // the triangle of a surface, or the id of a box's face
+    vec4 color;     // a box has none; red is the number of its triangle, for boxes are drawn in the order of those
 };
 
 layout(std430, binding = 0) buffer Count {
@@ -27,6 +29,8 @@ void main() {
     uint place = atomicAdd(count, 1u);
     if (place < list.length()) {
         uvec2 here = uvec2(gl_FragCoord.xy);
-        list[place] = Captured(here.x, here.y, FRAGMENT_DEPTH, first_triangle + uint(gl_PrimitiveID), surface_color());
+        list[place] = is_box()
+            ? Captured(here.x, here.y, box_depth(FRAGMENT_DEPTH), box_id(), vec4(gl_PrimitiveID, 0.0, 0.0, 0.0))
+            : Captured(here.x, here.y, FRAGMENT_DEPTH, first_triangle + uint(gl_PrimitiveID), surface_color());
     }
 }

@@ -53,7 +53,7 @@ pub struct Fragment {
 }
 
 /// The source of a record in a fragment list, which its id encodes (Lindholm et al. 2015, section 6.1). Bits 31 and 30
-/// are the kind of source, the other bits are its number. `glsl/a_buffer/record.glsl` has the same bits.
+/// are the kind of source, the other bits are its number. `glsl/a_buffer/id.glsl` has the same bits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Source {
     /// A surface, with its place in the order of submission, below 2^30.
@@ -110,7 +110,7 @@ mod tests {
 
     #[test]
     fn the_shaders_have_the_same_bits() {
-        let glsl = include_str!("../glsl/a_buffer/record.glsl");
+        let glsl = include_str!("../glsl/a_buffer/id.glsl");
         let has = |line: &str| assert!(glsl.contains(line), "no '{line}'");
         has(&format!("VOLUME = 1u << {};", Source::VOLUME.ilog2()));
         has(&format!("LEAVES = 1u << {};", Source::LEAVES.ilog2()));

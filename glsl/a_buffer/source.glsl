@@ -1,5 +1,5 @@
 // What a fragment comes from, for its record: a surface, or with VOLUMES the box around one (Lindholm et al. 2015, section
-// 6.1). A box has no colour, and is not shaded.
+// 6.1).
 // defines: method
 
 vec4 surface_color();    // surface/unlit.frag or surface/lit.frag
@@ -9,24 +9,18 @@ uniform uint first_triangle;
 
 // Of marked pixels' lists, VOLUMES are those of slices.
 #if VOLUMES && !MARKED
-uniform uint volume;    // the number of the volume whose box is drawn; NO_VOLUME for surfaces
+#include "a_buffer/box.glsl"
 
-const uint NO_VOLUME = 0xFFFFFFFFu;
-
-// A box is drawn with its depths clamped, not clipped; the clamp comes after the shader.
 float source_depth() {
-    return clamp(FRAGMENT_DEPTH, 0.0, 1.0);
+    return box_depth(FRAGMENT_DEPTH);
 }
 
 uint source_id() {
-    if (volume != NO_VOLUME) {
-        return VOLUME | (gl_FrontFacing ? 0u : LEAVES) | volume;
-    }
-    return SURFACE | (first_triangle + uint(gl_PrimitiveID));
+    return is_box() ? box_id() : SURFACE | (first_triangle + uint(gl_PrimitiveID));
 }
 
 vec4 source_color() {
-    return volume != NO_VOLUME ? vec4(0.0) : surface_color();
+    return is_box() ? vec4(0.0) : surface_color();
 }
 #else
 float source_depth() {
@@ -56,7 +50,7 @@ layout(binding = 5) uniform sampler2D opaque;
 
 bool is_hidden() {
 #if VOLUMES
-    if (volume != NO_VOLUME) {
+    if (is_box()) {
         return false;
     }
 #endif

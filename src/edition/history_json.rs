@@ -22,14 +22,19 @@
 //! part of its colour that is in the exact image, and in the method's, or null), and `fate`: an object with `is` (composited, wrong, tied, lost, mixed, hidden, opaque or unknown), and `layer` or `with` as far as it
 //! has them. Layers are counted from 0. A pass has `program`, `over_screen`, `lines`, `events`, `resolve` (null, or the `size` of the Local
 //! Array and the `subpasses` through the pixel's list, each with the fragments that it `skipped` and `dropped`, those that its
-//! `array` held, and those that it `composited`), `held` and `emulated` (`depth`,
+//! `array` held, and those that it `composited`; with volumes the `ray`, else null), `held` and `emulated` (`depth`,
 //! `stencil`, `colors`, each null where there is none), and `differences` in words. A line has `title`, `source`, `text`, `call`
-//! and the name of its `origin`. An event has `fragment`, `outcome`, `stencil` and `depth`
+//! and the name of its `origin`. A fragment is named by its number, and a face of the box around volume 0 is "v0 in" or "v0 out".
+//! The ray's events have `distance`, `is` and `what` (begins; cast, and the number of samples; box, and the volume's number;
+//! surface, and the fragment), and after it the volumes around the ray as a bitmask, `occupancy`, and `transparency`. An event has `fragment`, `outcome`, `stencil` and `depth`
 //! before and after, `record` (its place in the pixel's list, or null), and `no_room` (whether the list had none for it). A composite has
 //! `color` and `layers`, each with `fragment` and `so_far` (premultiplied, and the part of the light that is stopped).
 
-use crate::emulator::{InList, Resolve};
-use crate::inspect::{Composite, Event, Fate, FragmentHistory, History, Line, Pass, RaySegment};
+use crate::emulator::{InList, RayEvent, RayHappening, Resolve};
+use crate::fragment::Source;
+use crate::inspect::{
+    Composite, Event, Fate, FragmentHistory, History, Line, Pass, RaySegment, name,
+};
 use crate::steps::{Held, Origin, Texel};
 use serde_json::{Value, json};
 
@@ -133,7 +138,7 @@ fn event(event: &Event) -> Value {
         _ => None,
     };
     json!({
-        "fragment": event.fragment,
+        "fragment": named(event.fragment),
         "outcome": event.outcome.to_string(),
         "stencil": event.stencil,
         "depth": numbers(&event.depth),
@@ -147,14 +152,44 @@ fn resolve(resolve: &Resolve) -> Value {
     let subpasses: Vec<_> = subpasses
         .map(|it| {
             json!({
-                "skipped": it.skipped,
-                "dropped": it.dropped,
-                "array": it.array,
-                "composited": it.composited,
+                "skipped": all_named(&it.skipped),
+                "dropped": all_named(&it.dropped),
+                "array": all_named(&it.array),
+                "composited": all_named(&it.composited),
             })
         })
         .collect();
-    json!({ "size": resolve.size, "subpasses": subpasses })
+    let events = resolve.ray.as_ref().map(|ray| &ray.events);
+    let ray: Option<Vec<_>> = events.map(|events| events.iter().map(happening).collect());
+    json!({ "size": resolve.size, "subpasses": subpasses, "ray": ray })
+}
+
+/// A surface by its number, a face of a box by its name.
+fn named(fragment: u32) -> Value {
+    match Source::of(fragment) {
+        Source::Surface(number) => json!(number),
+        Source::Proxy { .. } => json!(name(fragment)),
+    }
+}
+
+fn all_named(fragments: &[u32]) -> Vec<Value> {
+    fragments.iter().copied().map(named).collect()
+}
+
+fn happening(event: &RayEvent) -> Value {
+    let (is, what) = match event.what {
+        RayHappening::Begins => ("begins", Value::Null),
+        RayHappening::IsCast(samples) => ("cast", json!(samples)),
+        RayHappening::Toggles(volume) => ("box", json!(volume)),
+        RayHappening::Blends(surface) => ("surface", json!(surface)),
+    };
+    json!({
+        "is": is,
+        "what": what,
+        "distance": event.distance,
+        "occupancy": event.occupancy,
+        "transparency": event.transparency,
+    })
 }
 
 fn held(held: &Held) -> Value {

@@ -4,7 +4,7 @@ use super::color::Texel;
 use super::lists::{RayRun, Resolved};
 use super::maps::Maps;
 use super::place::Place;
-use super::settings::Settings;
+use super::settings::{self, Settings};
 use crate::fragment::Fragment;
 
 /// The inputs of a shader.
@@ -31,9 +31,8 @@ impl Inputs<'_> {
 
     /// `1.0 / gl_FragCoord.w`, the distance along the view direction.
     pub(super) fn distance(&self) -> f64 {
-        let [near, far] = self.settings.planes;
-        // At 1/far = 0 the far plane is infinitely far away.
-        near / (1.0 - f64::from(self.fragment.depth) * (1.0 - near / far))
+        let (planes, inverse_w) = (self.settings.planes, self.settings.inverse_w);
+        settings::distance(planes, inverse_w, self.fragment.depth)
     }
 
     /// `texelFetch` at this pixel, by texture unit.

@@ -1,6 +1,7 @@
 //! The machine: pixels, their state and maps, and what it can be told and asked. `perform` has what each call does.
 
 use std::collections::HashMap;
+use std::sync::Arc;
 
 use super::maps::Maps;
 use super::record::Record;
@@ -149,9 +150,14 @@ impl Emulator {
     }
 
     /// The distances of the near and the far plane, for shaders that ask how far a fragment is away. Its distance along
-    /// the view direction is then computed from its window-space depth.
+    /// the view direction is then computed from its depth.
     pub fn set_planes(&mut self, planes: [f64; 2]) {
         self.settings.planes = planes;
+    }
+
+    /// Whether fragments' depths are 1/w (`glsl/common/fragment_depth.glsl`), and not window-space depths.
+    pub fn set_inverse_w(&mut self, inverse_w: bool) {
+        self.settings.inverse_w = inverse_w;
     }
 
     /// The scene's volumes, and each pixel's ray through them, for a Resolve Step that casts rays. Its planes are those of
@@ -159,9 +165,9 @@ impl Emulator {
     ///
     /// # Panics
     /// If there are not as many rays as pixels.
-    pub fn set_volumes(&mut self, volumes: Vec<Volume>, rays: Vec<PixelRay>) {
+    pub fn set_volumes(&mut self, volumes: impl Into<Arc<[Volume]>>, rays: Vec<PixelRay>) {
         assert_eq!(rays.len(), self.pixels.len(), "one ray for each pixel");
-        (self.settings.volumes, self.settings.rays) = (volumes, rays);
+        (self.settings.volumes, self.settings.rays) = (volumes.into(), rays);
     }
 
     /// The number of records that a fixed buffer has for each pixel. Without it there is room for all.

@@ -1,6 +1,7 @@
 //! What shaders are compiled with, and what they are told besides maps.
 
 use std::collections::HashMap;
+use std::sync::Arc;
 
 use glam::DVec3;
 
@@ -26,8 +27,10 @@ pub(super) struct Settings {
     pub(super) layers: u32,
     /// The distances of the near and the far plane.
     pub(super) planes: [f64; 2],
+    /// Whether depths are 1/w.
+    pub(super) inverse_w: bool,
     /// The scene's volumes, by their numbers.
-    pub(super) volumes: Vec<Volume>,
+    pub(super) volumes: Arc<[Volume]>,
     /// Each pixel's ray, if there are volumes.
     pub(super) rays: Vec<PixelRay>,
     /// The comparison of texture unit 0's shadow lookup.
@@ -41,9 +44,21 @@ impl Settings {
             size: 0,
             layers: u32::MAX,
             planes: [1.0, f64::INFINITY],
-            volumes: Vec::new(),
+            inverse_w: false,
+            volumes: Arc::new([]),
             rays: Vec::new(),
             compare_func: Compare::Lequal,
         }
     }
+}
+
+/// The distance along the view direction at which a fragment has this depth.
+pub(super) fn distance([near, far]: [f64; 2], inverse_w: bool, depth: f32) -> f64 {
+    if inverse_w {
+        // `common/fragment_depth.glsl` counts down the bits of near / w from those of 1.
+        let bits = 1.0_f32.to_bits() + f32::MIN_POSITIVE.to_bits() - depth.to_bits();
+        return near / f64::from(f32::from_bits(bits));
+    }
+    // At 1/far = 0 the far plane is infinitely far away.
+    near / (1.0 - f64::from(depth) * (1.0 - near / far))
 }

@@ -25,9 +25,10 @@ pub struct CapturedFragment {
     pub y: u32,
     /// Window-space depth.
     pub depth: f32,
-    /// Place of its triangle in the order of submission, over all meshes.
+    /// Place of its triangle in the order of submission, over all meshes. Of a face of the box around a volume it is the id
+    /// ([`Source::id`](crate::fragment::Source::id)).
     pub order: u32,
-    /// The colour, with straight alpha.
+    /// The colour, with straight alpha. A box has none, and has the number of its triangle in red.
     pub color: Rgba,
 }
 
@@ -56,7 +57,7 @@ pub fn capture(
 
 /// The fragments to be captured.
 pub struct Captured {
-    /// The objects that are drawn.
+    /// The objects that are drawn. Boxes around volumes have depths that are clamped to 0..1.
     pub objects: Objects,
     /// The depths against which they are tested, unchanged.
     pub depth: Map,
@@ -104,6 +105,9 @@ fn capture_pieces(
         machine.perform(&call)?;
     }
     let objects = what.objects;
+    if objects == Objects::Proxies {
+        machine.perform(&Call::Enable { cap: CLAMPED })?;
+    }
     let mut fragments = Vec::new();
     while let Some(piece) = pieces.pop() {
         piece.scissor(context.glow());
@@ -124,6 +128,9 @@ fn capture_pieces(
     }
     // SAFETY: the context is current.
     unsafe { context.glow().disable_draw_buffer(glow::SCISSOR_TEST, 0) };
+    if objects == Objects::Proxies {
+        machine.perform(&Call::Disable { cap: CLAMPED })?;
+    }
     machine.perform(&Call::DepthMask { flag: true })?;
     Ok(())
 }
@@ -157,6 +164,8 @@ const CAPTURE: Shader = Shader("capture");
 const SURFACE: Shader = Shader("surface");
 const CAPTURED: Query = Query("captured");
 const TARGET: Target = Target("capture");
+/// What lies before the near plane or behind the far one is drawn, too.
+const CLAMPED: Capability = Capability::DepthClamp;
 
 fn before(passes: Compare) -> [Call; 3] {
     [

@@ -68,6 +68,9 @@ struct Uploaded {
     volume: Option<u32>,
 }
 
+/// Surfaces have no volume (`glsl/a_buffer/box.glsl`).
+const NO_VOLUME: u32 = u32::MAX;
+
 impl<'c> Geometry<'c> {
     /// Uploads the scene's meshes, to be drawn in the order of submission.
     ///
@@ -291,7 +294,7 @@ impl<'c> Geometry<'c> {
             // SAFETY: the context is current; every index is below the number of vertices, which `Uploaded::new`
             // checked; the locations are this program's, and GL ignores a uniform that a program does not have.
             unsafe {
-                gl.uniform_1_u32(program.volume.as_ref(), mesh.volume.unwrap_or(u32::MAX));
+                gl.uniform_1_u32(program.volume.as_ref(), mesh.volume.unwrap_or(NO_VOLUME));
                 gl.bind_vertex_array(Some(mesh.array));
                 *triangles.get_or_insert(0) += run.draw(gl, program);
             }
@@ -326,6 +329,7 @@ impl<'c> Geometry<'c> {
                 );
                 gl.uniform_3_f32(program.eye.as_ref(), self.eye.x, self.eye.y, self.eye.z);
             }
+            gl.uniform_1_u32(program.volume.as_ref(), NO_VOLUME);
             let inside = match surface {
                 Surface::Lit(inside) => inside,
                 _ => None,

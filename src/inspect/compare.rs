@@ -35,6 +35,14 @@ impl Bounds {
         }
     }
 
+    /// The same, but colors may differ by so much more.
+    pub(super) fn and(self, more: f32) -> Self {
+        Self {
+            color: self.color + more,
+            weighted: self.weighted + more,
+        }
+    }
+
     /// How the two differ, in words. Depths and stencil values must be the same to the bit.
     pub(super) fn differences(&self, program: &str, emulated: &Held, gl: &Held) -> Vec<String> {
         let bound = match program.starts_with("weighted/") {

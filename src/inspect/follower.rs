@@ -11,6 +11,7 @@ use super::trace;
 use crate::emulator::{Emulator, Fate, Surface};
 use crate::error::Result;
 use crate::gl::{Seen, Setting, Witness};
+use crate::papers::stage::IMAGE_COLOR;
 use crate::steps::{Call, CallLine, Format, Held, Map, Objects, Target, Texel};
 
 /// The witness of a method's preparations, which are made on the emulated pixels, too.
@@ -75,7 +76,7 @@ pub(super) struct Followed {
 }
 
 impl Followed {
-    /// A pixel with these surfaces, which belong to these triangles. So much was done before.
+    /// A pixel with these surfaces, of which the first belong to these triangles. So much was done before.
     pub(super) fn new(
         place: Place,
         surfaces: Vec<Surface>,
@@ -83,8 +84,8 @@ impl Followed {
         before: Vec<Done>,
     ) -> Self {
         let mut followed = Self {
-            place,
             emulator: place.emulator(surfaces.clone()).watching(0),
+            place,
             surfaces,
             triangles,
             done: Vec::new(),
@@ -111,11 +112,18 @@ impl Followed {
         self.traced(trace::weights)
     }
 
-    fn traced<T>(&mut self, trace: fn(Place, &[Surface], &[Done]) -> Result<T>) -> Option<T> {
+    /// The colour that the emulated pixel has in the image, if it could be followed to the end.
+    pub(super) fn image(&self) -> Option<[f64; 4]> {
+        let colors = self.emulator.colors(IMAGE_COLOR).ok();
+        let colors = colors.filter(|_| self.not_followed.is_empty());
+        colors.map(|colors| colors[0].map(f64::from))
+    }
+
+    fn traced<T>(&mut self, trace: fn(&Place, &[Surface], &[Done]) -> Result<T>) -> Option<T> {
         if !self.not_followed.is_empty() {
             return None;
         }
-        let traced = trace(self.place, &self.surfaces, &self.done);
+        let traced = trace(&self.place, &self.surfaces, &self.done);
         traced
             .map_err(|error| self.not_followed.push(error.to_string()))
             .ok()
@@ -175,6 +183,11 @@ impl Followed {
         let follows = self.not_followed.is_empty();
         let emulated = follows.then(|| self.emulator.held(0).ok()).flatten();
         let emulated = emulated.map(|emulated| self.among_all(&program, emulated, &held));
+        let casts_rays = !self.place.volumes.is_empty() && program.starts_with(RESOLVES);
+        let bounds = match &emulated {
+            Some(emulated) if casts_rays => bounds.and(self.rounding_of_rays(emulated)),
+            _ => *bounds,
+        };
         let differences = emulated
             .as_ref()
             .map(|emulated| bounds.differences(&program, emulated, &held))
@@ -194,6 +207,33 @@ impl Followed {
             emulated,
             differences,
         });
+    }
+
+    /// By how much a ray's light may differ, of which the emulated pixel holds this much.
+    ///
+    /// The shader casts rays in f32, the emulated pixel in f64. So a sample lies elsewhere on OpenGL, by some roundings of
+    /// 2^-24 of its distance: four at most matter, those of the distance itself, of the step's middle, of the direction, and of
+    /// the sum. How much light that makes, the emulated pixel is asked: with everything nearer and farther by so much. That
+    /// moves all samples in one way, which may cancel, so it counts eight times. Each sample's light is rounded, too.
+    fn rounding_of_rays(&self, emulated: &Held) -> f32 {
+        const MOVED: f64 = 4.0 / (1 << 24) as f64;
+        let light = |held: &Held| match held.colors.first() {
+            Some(Texel::Color(light)) => *light,
+            _ => [0.0; 4],
+        };
+        let moved = [1.0 - MOVED, 1.0 + MOVED].map(|times| {
+            let mut emulator = self
+                .place
+                .at_distance(times)
+                .emulator(self.surfaces.clone());
+            let repeated = self.done.iter().try_for_each(|it| it.repeat(&mut emulator));
+            repeated.and_then(|()| emulator.held(0)).ok()
+        });
+        let channels = moved.iter().flatten().flat_map(|moved| {
+            let pairs = light(moved).into_iter().zip(light(emulated));
+            pairs.map(|(a, b)| (a - b).abs())
+        });
+        8.0 * channels.fold(0.0, f32::max) + 64.0 * 2.0_f32.powi(-24)
     }
 
     /// What the emulated pixel holds, with numbers as they run through all pixels of the image: records of lists, marked
@@ -219,6 +259,8 @@ impl Followed {
     }
 }
 
+/// The programs that resolve lists.
+const RESOLVES: &str = "a_buffer/resolve";
 /// The program after which a pixel's counter is the number of its list's first record.
 const LISTS_BEGIN: &str = "a_buffer/begin";
 /// The program that puts what the lists gave in its place.

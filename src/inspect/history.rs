@@ -3,7 +3,7 @@
 use super::composite::Composite;
 use super::fates::Fate;
 use crate::emulator::{FragmentOutcome, InList, Resolve};
-use crate::fragment::Rgba;
+use crate::fragment::{Rgba, Source};
 use crate::steps::{Held, Origin, Reason};
 
 /// What a method has done at a pixel.
@@ -96,9 +96,10 @@ pub struct FragmentHistory {
     /// The last pass in which it passed every test, counted from 0: the one that peeled, composited or stored it, or `None`
     /// if there is none.
     pub pass: Option<usize>,
-    /// The part of its colour that is in the exact image of the pixel, 0 to 1.
+    /// The part of its colour that is in the exact image of the pixel, 0 to 1, but for what volumes stop.
     pub exact_weight: f64,
-    /// The part of its colour that is in the method's image, found on the emulated pixel, or `None` if that could not follow.
+    /// The part of its colour that is in the method's image, likewise, found on the emulated pixel, or `None` if that could not
+    /// follow.
     pub weight: Option<f64>,
     /// What became of it.
     pub fate: Fate,
@@ -117,7 +118,7 @@ pub struct Pass {
     /// What happened to each fragment that was drawn, in the order of drawing. Empty if it drew over the screen.
     pub events: Vec<Event>,
     /// How it resolved the pixel's fragment list, subpass by subpass, if it did and if the emulated pixel could follow.
-    /// Fragments have their numbers.
+    /// Fragments have their numbers, and faces of boxes their ids ([`name`]). With volumes it has the ray, too.
     pub resolve: Option<Resolve>,
     /// What the pixel of the framebuffer holds after the draw, on OpenGL.
     pub held: Held,
@@ -146,7 +147,7 @@ pub struct Line {
 /// What happened to a fragment when it was drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Event {
-    /// The fragment's number.
+    /// The fragment's number, or the id of a face of the box around a volume ([`name`]).
     pub fragment: u32,
     /// The stage at which it ended.
     pub outcome: FragmentOutcome,
@@ -166,5 +167,17 @@ impl History {
             let differences = pass.differences.iter();
             differences.map(move |difference| (number, difference.as_str()))
         })
+    }
+}
+
+/// What a fragment of this number is called: `s3`, or of a face of the box around volume 0 `v0 in` where the ray enters it, and
+/// `v0 out` where it leaves it.
+pub fn name(number: u32) -> String {
+    match Source::of(number) {
+        Source::Surface(number) => format!("s{number}"),
+        Source::Proxy { volume, leaves } => match leaves {
+            false => format!("v{volume} in"),
+            true => format!("v{volume} out"),
+        },
     }
 }

@@ -35,7 +35,7 @@ mod watched;
 pub use composite::{Composite, Layer};
 pub use fates::Fate;
 pub use find::{Where, deepest, find, worst};
-pub use history::{Event, FragmentHistory, History, Line, ListCosts, Pass, RaySegment};
+pub use history::{Event, FragmentHistory, History, Line, ListCosts, Pass, RaySegment, name};
 
 use crate::error::{Error, Result};
 use crate::methods::{Exact, Renderer, Technique};

@@ -1,10 +1,15 @@
 //! Everything that a method had done to a pixel, so that it can be done again on another emulated pixel.
 
+use std::sync::Arc;
+
 use super::drawn_order::{Triangle, drawn};
-use crate::emulator::{Emulator, Surface};
+use glam::{DAffine3, DVec3};
+
+use crate::emulator::{Emulator, PixelRay, Surface};
 use crate::error::Result;
 use crate::gl::Setting;
 use crate::papers::stage;
+use crate::scene::{Transfer, TransferPoint, Volume};
 use crate::steps::gl::glClearColor;
 use crate::steps::{Call, Format, Machine, Map, Resources, Target, Workspace};
 
@@ -93,20 +98,52 @@ impl Done {
 }
 
 /// A pixel in an image.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Place {
     /// Column from the left, row from the bottom.
     pub(super) pixel: [u32; 2],
     /// The distances of the near and the far plane.
     pub(super) planes: [f64; 2],
+    /// Whether depths are 1/w.
+    pub(super) inverse_w: bool,
+    /// The scene's volumes, and the ray through the pixel.
+    pub(super) volumes: Arc<[Volume]>,
+    pub(super) ray: PixelRay,
 }
 
 impl Place {
     /// An emulated pixel at this place, which records nothing.
-    pub(super) fn emulator(self, surfaces: Vec<Surface>) -> Emulator {
+    pub(super) fn emulator(&self, surfaces: Vec<Surface>) -> Emulator {
         let mut emulator = Emulator::new(vec![surfaces]);
         emulator.set_places(vec![self.pixel]);
         emulator.set_planes(self.planes);
+        emulator.set_inverse_w(self.inverse_w);
+        emulator.set_volumes(Arc::clone(&self.volumes), vec![self.ray]);
         emulator
+    }
+
+    /// The same, but with everything so many times as far away.
+    pub(super) fn at_distance(&self, times: f64) -> Self {
+        Self {
+            planes: self.planes.map(|plane| plane * times),
+            ..self.clone()
+        }
+    }
+
+    /// The same, but with volumes that nothing is seen of.
+    pub(super) fn with_clear_volumes(&self) -> Self {
+        let nothing = [0.0, 1.0].map(|value| TransferPoint {
+            value,
+            color: [0.0; 3],
+            density: 0.0,
+        });
+        let anywhere = DAffine3::from_scale(DVec3::splat(1e6));
+        let clear = Volume::new("clear", [2; 3], vec![0.0; 8], anywhere);
+        let clear = clear.expect("a volume of eight samples");
+        let clear = clear.with_transfer(Transfer::new(nothing.into()).expect("two points"));
+        Self {
+            volumes: vec![clear; self.volumes.len()].into(),
+            ..self.clone()
+        }
     }
 }

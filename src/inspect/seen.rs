@@ -104,6 +104,14 @@ impl<'s> View<'s> {
             let color = |number: u32| (number, captured[number as usize].color);
             Composite::of(numbers.into_iter().map(color), behind)
         });
+        // Between the fragments there is light of volumes.
+        let composited = composited.map(|composite| Composite {
+            color: match scene.volumes.is_empty() {
+                true => composite.color,
+                false => followed.image().unwrap_or(composite.color),
+            },
+            ..composite
+        });
         let list: Vec<_> = (0..).zip(captured).map(|(n, it)| fragment(n, it)).collect();
         let ends = Ends {
             exact: &exact.composite,

@@ -6,6 +6,8 @@
 //! Weights tell the order, too. Composited front to back with an opacity `a` for every fragment, the k-th from the front has
 //! the weight `a (1 - a)^k`. So with this opacity for all fragments, the weights say the places. This works for every method
 //! that composites fragments one by one, however it does so, and tells those that do not.
+//!
+//! Volumes are made clear for both: weights and places are those of the surfaces among themselves.
 
 use super::recording::{Done, Place};
 use crate::emulator::{Emulator, Group, Surface};
@@ -28,7 +30,7 @@ fn tolerance(layers: i32) -> f64 {
 /// # Errors
 /// What the emulated pixel leaves out.
 pub(super) fn composited(
-    place: Place,
+    place: &Place,
     surfaces: &[Surface],
     done: &[Done],
 ) -> Result<Option<Vec<u32>>> {
@@ -49,19 +51,21 @@ pub(super) fn composited(
 ///
 /// # Errors
 /// What the emulated pixel leaves out.
-pub(super) fn weights(place: Place, surfaces: &[Surface], done: &[Done]) -> Result<Vec<f64>> {
+pub(super) fn weights(place: &Place, surfaces: &[Surface], done: &[Done]) -> Result<Vec<f64>> {
     weights_with(place, surfaces, done, |surface| surface.fragment.color.a)
 }
 
-/// The weights of transparent fragments with other opacities. That of an opaque one is 0.
+/// The weights of transparent fragments with other opacities. That of an opaque one is 0, and so is that of a volume's box.
 fn weights_with(
-    place: Place,
+    place: &Place,
     surfaces: &[Surface],
     done: &[Done],
     opacity: impl Fn(&Surface) -> f32,
 ) -> Result<Vec<f64>> {
     let mut weights = vec![0.0; surfaces.len()];
-    let is_transparent = |number: &usize| surfaces[*number].group != Group::Opaque;
+    let place = &place.with_clear_volumes();
+    let is_transparent =
+        |number: &usize| matches!(surfaces[*number].group, Group::Sorted | Group::Unsorted);
     let transparent: Vec<_> = (0..surfaces.len()).filter(is_transparent).collect();
     for numbers in transparent.chunks(3) {
         let lit = surfaces.iter().enumerate().map(|(number, surface)| {
@@ -87,12 +91,13 @@ fn color(surface: &Surface, channel: Option<usize>, opacity: f32) -> Rgba {
     let value = |of: usize| f32::from(u8::from(channel == Some(of)));
     match surface.group {
         Group::Opaque => Rgba::opaque([0.0; 3]),
+        Group::Proxy => Rgba::default(),
         _ => Rgba::new(value(0), value(1), value(2), opacity),
     }
 }
 
 /// The image after everything has been done again, before a black background.
-fn image(place: Place, surfaces: Vec<Surface>, done: &[Done]) -> Result<[f32; 3]> {
+fn image(place: &Place, surfaces: Vec<Surface>, done: &[Done]) -> Result<[f32; 3]> {
     let mut emulator: Emulator = place.emulator(surfaces);
     for done in done {
         fine_and_black(done).repeat(&mut emulator)?;

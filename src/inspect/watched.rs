@@ -3,18 +3,20 @@
 use std::cell::RefCell;
 use std::fmt;
 use std::rc::Rc;
+use std::sync::Arc;
 
 use super::compare::Bounds;
 use super::drawn_order::Numbering;
 use super::follower::{Followed, Follower, Preparations};
-use super::fragments::fragments;
+use super::fragments::{faces, fragments};
 use super::history::History;
 use super::recording::{Done, Place};
 use super::seen::{Seen, View, fragment};
-use crate::emulator::{Group, Surface};
+use crate::emulator::{Group, PixelRay, Surface};
 use crate::error::Result;
 use crate::gl::{CapturedFragment, GlMachine};
 use crate::methods::{Algorithm, DrawOrder, Drawn, Entry, Frame, Setup, Technique};
+use crate::oracle::volumes::Ray;
 use crate::scene::{Mesh, Scene};
 use crate::steps::Machine;
 use crate::steps::gl::glClearColor;
@@ -102,12 +104,14 @@ impl Algorithm for WatchedAlgorithm {
     fn draw(&mut self, machine: &mut GlMachine<'_>, scene: &Scene) -> Result<Drawn> {
         let numbering = Numbering::of(scene);
         let captured = fragments(machine, scene, &numbering, &self.order, &self.pixels)?;
+        let faces = faces(machine, scene, &self.pixels)?;
         let planes = [scene.camera.near, scene.camera.far];
+        let volumes: Arc<[_]> = scene.volumes.clone().into();
         let (color, depth) = (self.setup.color, self.setup.depth);
         let mut before = Done::stage(color, depth, scene.background);
         before.extend(self.preparations.done());
-        let pixels = self.pixels.iter().zip(&captured);
-        let followed = pixels.map(|(&pixel, fragments)| {
+        let pixels = self.pixels.iter().zip(captured.iter().zip(faces));
+        let followed = pixels.map(|(&pixel, (fragments, faces))| {
             let triangles = fragments
                 .iter()
                 .map(|it| numbering.triangle(scene, it.order));
@@ -117,12 +121,19 @@ impl Algorithm for WatchedAlgorithm {
                 .map(|it| &scene.meshes[it.place[0] as usize]);
             let surfaces = (0..).zip(fragments.iter().zip(meshes));
             let surfaces = surfaces.map(|(number, (it, mesh))| surface(number, it, mesh));
-            let place = Place { pixel, planes };
-            let mut followed = Followed::new(place, surfaces.collect(), triangles, before.clone());
-            if !scene.volumes.is_empty() {
-                followed.not_followed.push(RAYS.into());
-            }
-            followed
+            let ray = Ray::through(&scene.camera, machine.size(), pixel);
+            let place = Place {
+                pixel,
+                planes,
+                inverse_w: machine.has_inverse_w(),
+                volumes: Arc::clone(&volumes),
+                ray: PixelRay {
+                    origin: ray.origin,
+                    direction: ray.direction,
+                },
+            };
+            let surfaces = surfaces.chain(faces.iter().map(face));
+            Followed::new(place, surfaces.collect(), triangles, before.clone())
         });
         let quirks = machine.context().driver().quirks();
         let bounds = Bounds::of(self.setup.color, quirks, planes);
@@ -157,10 +168,6 @@ impl WatchedAlgorithm {
     }
 }
 
-/// The reason for which a pixel with volumes is not followed.
-const RAYS: &str =
-    "the method casts rays through volumes; the exact ray is told, and OpenGL's values are";
-
 fn surface(number: u32, captured: &CapturedFragment, mesh: &Mesh) -> Surface {
     Surface {
         fragment: fragment(number, captured),
@@ -169,5 +176,13 @@ fn surface(number: u32, captured: &CapturedFragment, mesh: &Mesh) -> Surface {
             (false, true) => Group::Sorted,
             (false, false) => Group::Unsorted,
         },
+    }
+}
+
+/// A face of the box around a volume, whose `order` is its id.
+fn face(captured: &CapturedFragment) -> Surface {
+    Surface {
+        fragment: fragment(captured.order, captured),
+        group: Group::Proxy,
     }
 }

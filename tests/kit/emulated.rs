@@ -89,6 +89,7 @@ impl<'s> Pixels<'s> {
             let volumes = self.scene.volumes.iter().zip(&media);
             let scene = RayScene {
                 planes: [ray.near, ray.far],
+                inverse_w: false,
                 slant: ray.direction.length(),
                 opaque: self.opaque_depths[(place[1] * width + place[0]) as usize],
                 volumes: volumes

@@ -144,6 +144,7 @@ impl Case {
         let volumes = media.iter().map(|medium| RayVolume { medium, step: 0.3 });
         let scene = RayScene {
             planes: PLANES,
+            inverse_w: false,
             slant: SLANT,
             opaque: self.opaque_depth(),
             volumes: volumes.collect(),

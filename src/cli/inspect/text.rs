@@ -2,8 +2,11 @@
 
 use std::fmt::Write;
 
-use onionskin::inspect::{Composite, Event, Fate, FragmentHistory, History, Pass, RaySegment};
-use onionskin::low_level::emulator::{InList, Resolve};
+use onionskin::inspect::{
+    Composite, Event, Fate, FragmentHistory, History, Pass, RaySegment, name,
+};
+use onionskin::low_level::emulator::{InList, RayEvent, RayHappening, RayRun, Resolve};
+use onionskin::low_level::fragment::Source;
 use onionskin::low_level::steps::{Held, Origin, Texel};
 
 /// The history; with the lines of the listings if they are asked for.
@@ -12,7 +15,9 @@ pub(super) fn text(history: &History, with_lines: bool) -> String {
     if history.fragments.is_empty() && history.ray.is_empty() {
         return wrapped(text.trim_end());
     }
-    text += &fragments(&history.fragments);
+    if !history.fragments.is_empty() {
+        text += &fragments(&history.fragments);
+    }
     for (number, pass) in (1..).zip(&history.passes) {
         text += &pass_text(number, pass, with_lines);
     }
@@ -102,7 +107,10 @@ type IsFate = fn(&Fate) -> bool;
 fn count(history: &History) -> String {
     let all = history.fragments.len();
     if all == 0 {
-        return "none: the pixel shows the background".into();
+        return match history.ray.is_empty() {
+            true => "none: the pixel shows the background".into(),
+            false => "none: there are only volumes".into(),
+        };
     }
     let of = |is: IsFate| {
         let fates = history.fragments.iter().map(|fragment| &fragment.fate);
@@ -252,7 +260,7 @@ fn resolve(resolve: &Resolve) -> String {
             ("composited", &subpass.composited),
         ];
         for (word, fragments) in kinds.iter().filter(|(_, all)| !all.is_empty()) {
-            let names: Vec<_> = fragments.iter().map(|it| format!("s{it}")).collect();
+            let names: Vec<_> = fragments.iter().map(|&it| name(it)).collect();
             for (row, names) in names.chunks(12).enumerate() {
                 let lead = match row {
                     0 => format!("subpass {number} {word}"),
@@ -262,7 +270,38 @@ fn resolve(resolve: &Resolve) -> String {
             }
         }
     }
+    if let Some(ray) = &resolve.ray {
+        text += &cast_ray(ray);
+    }
     text
+}
+
+/// The emulated pixel's ray, a line for each event.
+fn cast_ray(ray: &RayRun) -> String {
+    let mut text = format!("  {:<12}{:<22}{}\n", "distance", "the ray", "comes through");
+    for event in &ray.events {
+        let _ = writeln!(
+            text,
+            "  {:<12}{:<22}{:.4}",
+            format!("{:.4}", event.distance),
+            happening(event),
+            event.transparency
+        );
+    }
+    text
+}
+
+fn happening(event: &RayEvent) -> String {
+    match event.what {
+        RayHappening::Begins => "begins".into(),
+        RayHappening::IsCast(1) => "after 1 sample".into(),
+        RayHappening::IsCast(samples) => format!("after {samples} samples"),
+        RayHappening::Toggles(volume) => {
+            let leaves = event.occupancy >> volume & 1 == 0;
+            name(Source::Proxy { volume, leaves }.id())
+        }
+        RayHappening::Blends(surface) => name(surface),
+    }
 }
 
 fn event(event: &Event) -> String {
@@ -278,8 +317,8 @@ fn event(event: &Event) -> String {
         None => String::new(),
     };
     format!(
-        "  {:<5}{:<14}stencil {:<13}depth {}{list}\n",
-        format!("s{}", event.fragment),
+        "  {:<8}{:<14}stencil {:<13}depth {}{list}\n",
+        name(event.fragment),
         event.outcome,
         change(stencil_before.to_string(), stencil.to_string()),
         change(depth_before.to_string(), depth.to_string()),

@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use crate::emulator::settings;
 use crate::fragment::{Fragment, Source};
 use crate::scene::Medium;
 use crate::steps::pseudo::list::{Beginning, SegmentEnd};
@@ -12,6 +13,8 @@ use crate::steps::pseudo::list::{Beginning, SegmentEnd};
 pub struct RayScene<'m> {
     /// The distances of the near and the far plane.
     pub planes: [f64; 2],
+    /// Whether depths are 1/w, and not window-space depths.
+    pub inverse_w: bool,
     /// The ray's length over a distance of 1, 1 or more.
     pub slant: f64,
     /// The opaque surface's depth, or 1 if there is none.
@@ -202,7 +205,6 @@ impl<'a> Ray<'a> {
     }
 
     fn distance(&self, depth: f32) -> f64 {
-        let [near, far] = self.scene.planes;
-        near * far / (far - f64::from(depth) * (far - near))
+        settings::distance(self.scene.planes, self.scene.inverse_w, depth)
     }
 }

@@ -69,7 +69,7 @@ fn end_after(resolved: &mut Resolved, mut composited: usize) {
 fn resolved(i: &Inputs<'_>, list: &[Fragment], peels: bool) -> Resolved {
     let subpasses = most_subpasses(i, list);
     let (algorithm, amendments, limit) = match (peels, keeps_nearest(i)) {
-        (true, _) if i.is("LITERAL") => (PP_DP, &[][..], subpasses.saturating_add(1)),
+        (true, _) if i.is("LITERAL") => (PP_DP, &[][..], subpasses),
         (true, _) if i.is("AS_PRINTED") => (PP_DP, &[STOP][..], subpasses),
         (true, _) => (PP_DP, &PP_DP_AMENDMENTS[..], subpasses),
         (false, true) => (STATIC_ARRAY, &[KEEP_NEAREST][..], 1),
@@ -107,7 +107,9 @@ fn through_volumes(i: &Inputs<'_>, mut list: Vec<Fragment>, peels: bool) -> Thro
 fn most_subpasses(i: &Inputs<'_>, list: &[Fragment]) -> u32 {
     let most = i.settings.defines.get("MOST_SUBPASSES");
     let most = most.copied().unwrap_or(u32::MAX);
-    most.min(list.len() as u32)
+    let most = most.min(list.len() as u32);
+    // Read literally, nothing says when to stop.
+    most.saturating_add(u32::from(i.is("LITERAL")))
 }
 
 /// Whether a full Local Array keeps the nearest fragments.

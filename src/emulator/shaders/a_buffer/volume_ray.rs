@@ -26,6 +26,7 @@ pub(super) fn cast(
     let volumes = i.settings.volumes.iter().zip(&media);
     let scene = RayScene {
         planes: i.settings.planes,
+        inverse_w: i.settings.inverse_w,
         slant: ray.direction.length(),
         opaque: i.texel(5)[0],
         volumes: volumes
@@ -35,7 +36,12 @@ pub(super) fn cast(
             })
             .collect(),
     };
+    // A ray's state is kept in every reading.
+    let [.., stop, begin, evaluate] = FUSED_PP_DP;
+    let (literal, printed) = ([begin, evaluate], [stop, begin, evaluate]);
     let (algorithm, amendments, array, limit) = match peeled_by {
+        Some([array, limit]) if i.is("LITERAL") => (PP_DP, &literal[..], array, limit),
+        Some([array, limit]) if i.is("AS_PRINTED") => (PP_DP, &printed[..], array, limit),
         Some([array, limit]) => (PP_DP, &FUSED_PP_DP[..], array, limit),
         None => (FUSED, &FUSED_AMENDMENTS[..], 1, 1),
     };
