@@ -27,7 +27,8 @@
 //! and the name of its `origin`. A fragment is named by its number, and a face of the box around volume 0 is "v0 in" or "v0 out".
 //! The ray's events have `distance`, `is` and `what` (begins; cast, and the number of samples; box, and the volume's number;
 //! surface, and the fragment), and after it the volumes around the ray as a bitmask, `occupancy`, and `transparency`. An event has `fragment`, `outcome`, `stencil` and `depth`
-//! before and after, `record` (its place in the pixel's list, or null), and `no_room` (whether the list had none for it). A composite has
+//! before and after, `record` (its place in the pixel's list, or null), `no_room` (whether the list had none for it), and by multi-layer alpha blending the
+//! `nodes` after it, each as the fragments that were merged into it. A composite has
 //! `color` and `layers`, each with `fragment` and `so_far` (premultiplied, and the part of the light that is stopped).
 
 use crate::emulator::{InList, RayEvent, RayHappening, Resolve};
@@ -144,6 +145,7 @@ fn event(event: &Event) -> Value {
         "depth": numbers(&event.depth),
         "record": record,
         "no_room": event.list == Some(InList::NoRoom),
+        "nodes": event.nodes,
     })
 }
 

@@ -6,6 +6,7 @@ use std::rc::Rc;
 use super::compare::Bounds;
 use super::drawn_order::Triangle;
 use super::history::{Event, Line, Pass};
+use super::nodes;
 use super::recording::{Done, Place};
 use super::trace;
 use crate::emulator::{Emulator, Fate, Surface};
@@ -201,7 +202,7 @@ impl Followed {
             lines: std::mem::take(&mut self.lines),
             program,
             over_screen,
-            events: drawn.map_or_else(Vec::new, |draw| draw.fates.iter().map(event).collect()),
+            events: drawn.map_or_else(Vec::new, |draw| events(&draw.fates, draw.program)),
             resolve,
             held,
             emulated,
@@ -268,14 +269,20 @@ const PLACED: &str = "verified/place";
 /// The program that numbers the marked pixels.
 const NUMBERED: &str = "verified/mark";
 
-fn event(fate: &Fate) -> Event {
-    Event {
+fn events(fates: &[Fate], program: &str) -> Vec<Event> {
+    let nodes = match program {
+        nodes::INSERTS => nodes::after_each(fates),
+        _ => vec![Vec::new(); fates.len()],
+    };
+    let event = |(fate, nodes): (&Fate, Vec<Vec<u32>>)| Event {
         fragment: fate.order,
         outcome: fate.outcome,
         stencil: fate.stencil,
         depth: fate.stored_depth,
         list: fate.list,
-    }
+        nodes,
+    };
+    fates.iter().zip(nodes).map(event).collect()
 }
 
 /// The witness of a method's frame.

@@ -145,7 +145,7 @@ pub struct Line {
 }
 
 /// What happened to a fragment when it was drawn.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Event {
     /// The fragment's number, or the id of a face of the box around a volume ([`name`]).
     pub fragment: u32,
@@ -157,6 +157,9 @@ pub struct Event {
     pub depth: [f32; 2],
     /// What became of it in the pixel's fragment list, if the program makes one.
     pub list: Option<InList>,
+    /// The nodes after it, nearest first, each as the fragments that were merged into it, if the program makes nodes of
+    /// fragments. Empty if not.
+    pub nodes: Vec<Vec<u32>>,
 }
 
 impl History {

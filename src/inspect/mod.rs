@@ -27,6 +27,7 @@ mod find;
 mod follower;
 mod fragments;
 mod history;
+mod nodes;
 mod recording;
 mod seen;
 mod trace;

@@ -159,6 +159,41 @@ fn the_pixel_of_figure_2_has_the_paper_s_trace() {
     assert_eq!(order, FIGURE_2);
 }
 
+/// With 4 nodes for 11 fragments, what was merged is what lies behind the three nearest of those drawn so far.
+#[test]
+fn the_nodes_of_figure_2_s_pixel_say_what_was_merged() {
+    let context = Context::headless().unwrap();
+    let mut method: Method = "multi-layer-alpha-blending".parse().unwrap();
+    if !method.entry().runs_on(context.driver()) {
+        println!("skipped: the driver has neither framebuffer fetch nor an interlock");
+        return;
+    }
+    method.choose("nodes", "4").unwrap();
+    let mut renderer = Renderer::new(&context, 1, 1).unwrap();
+    let history = inspect::history(&mut renderer, &figure_2(), &method, [0, 0]).unwrap();
+    let mut passes = history.passes.iter();
+    let pass = passes
+        .find(|pass| pass.program == "multi_layer/insert")
+        .unwrap();
+    let place = |s: &u32| {
+        FIGURE_2
+            .iter()
+            .position(|&other| other == *s as usize)
+            .unwrap()
+    };
+    for (drawn, event) in (1..).zip(&pass.events) {
+        let mut nearest: Vec<u32> = (0..drawn).collect();
+        nearest.sort_by_key(place);
+        let apart = nearest.len().min(3);
+        let mut nodes = event.nodes.clone();
+        let mut merged = nodes.split_off(apart).concat();
+        merged.sort_by_key(place);
+        assert_eq!(nodes.concat(), nearest[..apart]);
+        assert_eq!(merged, nearest[apart..]);
+    }
+    assert_eq!(pass.events.len(), 11);
+}
+
 #[test]
 fn a_shader_with_a_changed_word_is_found_with_its_pass_and_its_line() {
     const CHANGES: [(&str, &str, [&str; 2]); 3] = [
@@ -310,7 +345,12 @@ fn distances_from_1_over_w_are_the_same_on_both_machines() {
         let histories = inspect::histories(&mut renderer, &scene, &method, &pixels).unwrap();
         assert!(histories.iter().any(|it| it.fragments.len() > 1));
         for history in &histories {
-            assert_eq!(fault(history, true), None, "{method} at {:?}", history.pixel);
+            assert_eq!(
+                fault(history, true),
+                None,
+                "{method} at {:?}",
+                history.pixel
+            );
         }
     }
 }

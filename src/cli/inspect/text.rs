@@ -316,13 +316,22 @@ fn event(event: &Event) -> String {
         Some(InList::NoRoom) => ", NO ROOM in the list".into(),
         None => String::new(),
     };
-    format!(
+    let mut text = format!(
         "  {:<8}{:<14}stencil {:<13}depth {}{list}\n",
         name(event.fragment),
         event.outcome,
         change(stencil_before.to_string(), stencil.to_string()),
         change(depth_before.to_string(), depth.to_string()),
-    )
+    );
+    if !event.nodes.is_empty() {
+        let node = |fragments: &Vec<u32>| {
+            let names = fragments.iter().map(|&it| name(it));
+            names.collect::<Vec<_>>().join(" + ")
+        };
+        let nodes: Vec<_> = event.nodes.iter().map(node).collect();
+        let _ = writeln!(text, "          nodes {}", nodes.join(", "));
+    }
+    text
 }
 
 fn held(held: &Held) -> String {
