@@ -4,13 +4,13 @@ use std::process::ExitCode;
 
 use clap::Args;
 use clap::builder::styling::{AnsiColor, Style};
+use onionskin::low_level::edition::listing_json;
 use onionskin::low_level::error::did_you_mean;
 use onionskin::low_level::steps::{
     self, Amendment, Origin, Reading, Recorder, TextLine, Variables, free_variables, run,
 };
 use onionskin::{Error, Result, Text, papers, texts};
 
-use super::listing_json;
 use super::output::{print_json, say, say_styled};
 
 /// Print the papers' listings

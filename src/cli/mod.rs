@@ -19,7 +19,6 @@ mod inspect;
 mod ledger;
 mod licences;
 mod listing;
-mod listing_json;
 mod loss;
 mod memory;
 mod method_options;

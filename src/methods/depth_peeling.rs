@@ -212,7 +212,7 @@ impl DepthPeeling {
     fn expect_known(&self, machine: &GlMachine<'_>) -> Result<()> {
         let amendments = self.options.amendments;
         if self.options.is_printed() {
-            expect_known(machine, &AS_PRINTED, amendments, &[&vtk::PEELING])?;
+            expect_known(machine, &LISTING_1_AND_STATE, amendments, &[&vtk::PEELING])?;
             let resources = [&vtk::PEELING, &everitt_2001::COMPOSITING];
             return expect_known(machine, &everitt_2001::COMPOSITE, amendments, &resources);
         }
@@ -238,7 +238,7 @@ impl DepthPeeling {
         let outcome = self.options.depth_unit_0.run(
             machine,
             self.options.reading,
-            &AS_PRINTED,
+            &LISTING_1_AND_STATE,
             self.options.amendments,
             self.variables(),
         )?;
@@ -267,7 +267,7 @@ impl DepthPeeling {
 
 /// Listing 1 with the state that it takes for granted: the image has its background, the scene has a program, and a cleared
 /// layer covers nothing.
-const AS_PRINTED: Listing = Listing {
+pub(crate) const LISTING_1_AND_STATE: Listing = Listing {
     title: "Listing 1 as printed",
     source: "onionskin",
     dialect: Dialect::Calls,

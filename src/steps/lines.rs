@@ -19,6 +19,9 @@ pub struct TextLine {
     pub number: Option<u32>,
     /// Whether it is a remark of this edition: a quotation, a reason, a title. No machine sees it.
     pub note: bool,
+    /// Whether a statement begins with it. One that runs another text begins with the remark that has its title, and one
+    /// that is left open in this reading with the remark that says so.
+    pub begins: bool,
 }
 
 /// Lines, one after the other.
@@ -59,7 +62,13 @@ impl Lines {
         text: impl fmt::Display,
         scope: Scope<'_, S>,
     ) {
+        let first = self.done.len();
         self.spelt(lead, text, scope.origin(), scope.spelling());
+        // Remarks on its origin stand before it.
+        let mut lines = self.done[first..].iter_mut();
+        if let Some(line) = lines.find(|line| !line.note) {
+            line.begins = true;
+        }
     }
 
     /// A line of a statement that is not its first.
@@ -80,7 +89,16 @@ impl Lines {
             source: self.source,
             number: None,
             note: true,
+            begins: false,
         });
+    }
+
+    /// A remark in the place of a statement.
+    pub(super) fn stand_in(&mut self, lead: &str, text: impl fmt::Display, origin: Option<Origin>) {
+        self.note(lead, text, origin);
+        if let Some(line) = self.done.last_mut() {
+            line.begins = true;
+        }
     }
 
     /// The reason of an amendment.
@@ -91,7 +109,7 @@ impl Lines {
             let text = format!(
                 "the paper does not say: {place} (filled by {key} in the reading as-printed, because {why})"
             );
-            return self.note(lead, text, Some(origin));
+            return self.stand_in(lead, text, Some(origin));
         }
         self.note(lead, format_args!("{key}: {why}"), Some(origin));
         match origin {
@@ -121,6 +139,7 @@ impl Lines {
                 source: self.source,
                 number,
                 note: false,
+                begins: false,
             });
         }
         if let Some(meaning) = spelling.and_then(|spelling| spelling.meaning) {

@@ -131,7 +131,7 @@ impl Printer {
 
     fn run(&mut self, listing: &Listing, scope: Scope<'_, Step>, indent: usize) {
         let title = format!("{}: {}", listing.source, listing.title);
-        self.lines.note(&self.lead(indent), title, None);
+        self.lines.stand_in(&self.lead(indent), title, None);
         let dialect = std::mem::replace(&mut self.dialect, listing.dialect);
         let source = std::mem::replace(&mut self.lines.source, listing.source);
         self.steps(listing.steps, scope, indent);

@@ -24,23 +24,18 @@
 //! An expression is a number, the name of a variable, `{"samples": query}`, or `[operator, a, b]`; a condition is
 //! `[comparison, a, b]`.
 
-use onionskin::Text;
-use onionskin::low_level::steps::{
-    Amendment, Condition, Expr, Met, Origin, Reading, Scope, Statement, Step, TextLine, pseudo,
-};
+use std::vec;
+
 use serde_json::{Map, Value, json};
 
-/// The object of a text.
-pub(super) fn object(key: &str, text: &Text, reading: Reading) -> Value {
-    let steps = match text {
-        Text::Listing(listing, amendments) => tree(listing.steps, &reading.shown(amendments), step),
-        Text::Pseudocode(algorithm, amendments) => {
-            tree(algorithm.lines, &reading.shown(amendments), pseudocode)
-        }
-        Text::Lists(algorithm, amendments) => {
-            tree(algorithm.lines, &reading.shown(amendments), on_lists)
-        }
-    };
+use super::pseudocode_json::{self, Named};
+use crate::steps::pseudo::{self, list};
+use crate::steps::{
+    Amendment, Condition, Expr, Met, Origin, Reading, Scope, Statement, Step, Text, TextLine,
+};
+
+/// The object of a text, read like this.
+pub fn object(key: &str, text: &Text, reading: Reading) -> Value {
     let lines: Vec<_> = text.lines(reading).iter().map(line).collect();
     json!({
         "key": key,
@@ -48,11 +43,50 @@ pub(super) fn object(key: &str, text: &Text, reading: Reading) -> Value {
         "source": text.source(),
         "reading": reading.name(),
         "lines": lines,
-        "steps": steps,
+        "steps": steps(text, reading, &mut Detail::Text),
     })
 }
 
-fn line(line: &TextLine) -> Value {
+/// What is said of a statement besides.
+pub(super) enum Detail {
+    /// Where it comes from.
+    Text,
+    /// What a machine needs: the number of the line where it begins, and what it does if it is pseudocode. These are the
+    /// numbers that are left.
+    Program(vec::IntoIter<usize>),
+}
+
+impl Detail {
+    /// For a text whose first line is that of this number.
+    pub(super) fn program(lines: &[TextLine], first: usize) -> Self {
+        let begins = (first..).zip(lines).filter(|(_, line)| line.begins);
+        let numbers: Vec<_> = begins.map(|(number, _)| number).collect();
+        Self::Program(numbers.into_iter())
+    }
+}
+
+/// The statements of a text, read like this.
+pub(super) fn steps(text: &Text, reading: Reading, detail: &mut Detail) -> Value {
+    match text {
+        Text::Listing(listing, amendments) => {
+            tree(listing.steps, &reading.shown(amendments), step, detail)
+        }
+        Text::Pseudocode(algorithm, amendments) => tree(
+            algorithm.lines,
+            &reading.shown(amendments),
+            pseudocode,
+            detail,
+        ),
+        Text::Lists(algorithm, amendments) => tree(
+            algorithm.lines,
+            &reading.shown(amendments),
+            on_lists,
+            detail,
+        ),
+    }
+}
+
+pub(super) fn line(line: &TextLine) -> Value {
     json!({
         "text": line.text,
         "note": line.note,
@@ -78,31 +112,51 @@ fn origin(origin: Origin) -> Value {
 }
 
 /// Makes an object of a statement. Statements inside of it are in the scope.
-type Maker<S> = fn(&'static S, Scope<'_, S>) -> Value;
+type Maker<S> = fn(&'static S, Scope<'_, S>, &mut Detail) -> Value;
 
 fn tree<S: Statement>(
     statements: &'static [S],
     amendments: &[Amendment<S>],
     make: Maker<S>,
+    detail: &mut Detail,
 ) -> Value {
-    body(statements, Scope::of(amendments), make)
+    body(statements, Scope::of(amendments), make, detail)
 }
 
-fn body<S: Statement>(statements: &'static [S], scope: Scope<'_, S>, make: Maker<S>) -> Value {
+fn body<S: Statement>(
+    statements: &'static [S],
+    scope: Scope<'_, S>,
+    make: Maker<S>,
+    detail: &mut Detail,
+) -> Value {
     let made = scope.walk(statements).filter_map(|met| match met {
         Met::Amendment(amendment) => match amendment.origin() {
-            silence @ Origin::Silence { .. } => {
-                Some(json!({ "step": "silence", "origin": origin(silence) }))
-            }
+            silence @ Origin::Silence { .. } => Some(match detail {
+                Detail::Text => json!({ "step": "silence", "origin": origin(silence) }),
+                Detail::Program(lines) => json!({ "step": "silence", "line": lines.next() }),
+            }),
             _ => None,
         },
         Met::Line(..) => None,
-        Met::Statement(statement, scope) => Some(with_origin(make(statement, scope), scope)),
+        Met::Statement(statement, scope) => Some(detailed(statement, scope, make, detail)),
     });
     made.collect()
 }
 
-fn with_origin<S: Statement>(mut object: Value, scope: Scope<'_, S>) -> Value {
+fn detailed<S: Statement>(
+    statement: &'static S,
+    scope: Scope<'_, S>,
+    make: Maker<S>,
+    detail: &mut Detail,
+) -> Value {
+    // Its line comes before those inside of it.
+    if let Detail::Program(lines) = detail {
+        let line = lines.next();
+        let mut object = make(statement, scope, detail);
+        object["line"] = line.into();
+        return object;
+    }
+    let mut object = make(statement, scope, detail);
     object["origin"] = scope.origin().map_or(Value::Null, origin);
     if let Some(spelling) = scope.spelling() {
         object["spelt"] = spelling.text.into();
@@ -110,8 +164,8 @@ fn with_origin<S: Statement>(mut object: Value, scope: Scope<'_, S>) -> Value {
     object
 }
 
-fn step(step: &'static Step, scope: Scope<'_, Step>) -> Value {
-    let inside = |steps| body(steps, scope, self::step);
+fn step(step: &'static Step, scope: Scope<'_, Step>, detail: &mut Detail) -> Value {
+    let mut inside = |steps| body(steps, scope, self::step, detail);
     match *step {
         Step::Call(call) => {
             let (name, arguments) = call.signature();
@@ -171,7 +225,7 @@ fn step(step: &'static Step, scope: Scope<'_, Step>) -> Value {
             "step": "run",
             "title": listing.title,
             "source": listing.source,
-            "body": body(listing.steps, scope.around(amendments), self::step),
+            "body": body(listing.steps, scope.around(amendments), self::step, detail),
         }),
         Step::Margin(_) => Value::Null,
     }
@@ -194,33 +248,51 @@ fn when(condition: &Condition) -> Value {
     json!([condition.compare.name(), a, b])
 }
 
-fn pseudocode(line: &'static pseudo::Line, scope: Scope<'_, pseudo::Line>) -> Value {
-    inner(line, line.head(), scope, pseudocode)
+fn pseudocode(
+    line: &'static pseudo::Line,
+    scope: Scope<'_, pseudo::Line>,
+    detail: &mut Detail,
+) -> Value {
+    let named = pseudocode_json::line(line);
+    inner(line, line.head(), named, scope, pseudocode, detail)
 }
 
 fn on_lists(
-    line: &'static pseudo::list::ListLine,
-    scope: Scope<'_, pseudo::list::ListLine>,
+    line: &'static list::ListLine,
+    scope: Scope<'_, list::ListLine>,
+    detail: &mut Detail,
 ) -> Value {
-    inner(line, line.to_string(), scope, on_lists)
+    let named = pseudocode_json::list_line(line);
+    inner(line, line.to_string(), named, scope, on_lists, detail)
 }
 
 /// A line of pseudocode, and what stands inside of it or is run by it.
 fn inner<S: Statement>(
     line: &'static S,
     text: String,
+    (name, arguments): Named,
     scope: Scope<'_, S>,
     make: Maker<S>,
+    detail: &mut Detail,
 ) -> Value {
     let mut object = json!({ "step": "line", "text": text });
+    if let Detail::Program(_) = detail {
+        object["name"] = name.into();
+        object["arguments"] = arguments;
+    }
     let [first, second] = line.bodies();
     if let Some((lines, amendments)) = line.runs() {
-        object["body"] = body(lines, scope.around(amendments), make);
+        // The text that it runs is not printed.
+        let unprinted = &mut match detail {
+            Detail::Text => Detail::Text,
+            Detail::Program(_) => Detail::Program(vec![].into_iter()),
+        };
+        object["body"] = body(lines, scope.around(amendments), make, unprinted);
     } else if !first.is_empty() {
-        object["body"] = body(first, scope, make);
+        object["body"] = body(first, scope, make, detail);
     }
     if !second.is_empty() {
-        object["otherwise"] = body(second, scope, make);
+        object["otherwise"] = body(second, scope, make, detail);
     }
     object
 }

@@ -1,0 +1,18 @@
+//! The machine of the pages is the emulated pixel: it runs every program in every reading on random surfaces, call by call.
+//! No OpenGL. Without node the tests are skipped, aloud.
+
+#[path = "../kit/chance.rs"]
+#[allow(dead_code, unreachable_pub)] // it has more than is used here
+mod chance;
+
+mod cases;
+mod compare;
+mod control;
+mod digest;
+mod emulated;
+mod exact;
+mod lines;
+mod listings;
+mod listings_coherent;
+mod node;
+mod pseudocode;
