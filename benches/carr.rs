@@ -2,7 +2,7 @@
 //!
 //! `cargo bench --bench carr`. The Stanford bunny takes part if `ONIONSKIN_BUNNY` names its scene file.
 
-use onionskin::generate::{Slices, SubmissionOrder, slices};
+use onionskin::low_level::edition::figures::carr::with_slices;
 use onionskin::options::{CoherentOptions, IdealOptions, TriangleSort, Variant};
 use onionskin::{Context, Method, Renderer, Result, Scene, Stats};
 
@@ -25,15 +25,7 @@ fn slices_and_cone(context: &Context) -> Result<()> {
     println!("\nslices and cone, {} x {}", size[0], size[1]);
     println!("slices   layer/hybrid   coherent A/hybrid   coherent B/hybrid   ideal/hybrid");
     for count in [64, 128, 256] {
-        let mut scene = Scene::load_at(example("slices"), Some(size))?;
-        scene.meshes[0] = slices(&Slices {
-            count,
-            cells: 8,
-            alpha: 12.8 / count as f32,
-            order: SubmissionOrder::FrontToBack,
-            ..Slices::default()
-        })?;
-        scene.meshes[0].sorted = true;
+        let scene = with_slices(Scene::load_at(example("slices"), Some(size))?, count, 8)?;
         let mut renderer = Renderer::new(context, size[0], size[1])?;
         let mut ms = |method: Method| {
             Ok::<_, onionskin::Error>(renderer.measure(&scene, &method, FRAMES)?.stats.ms)

@@ -9,13 +9,12 @@
 //! `cargo run --example 03_layers_one_by_one [FOLDER]`
 
 use onionskin::options::{Compositing, DepthPeelingOptions};
-use onionskin::report::Panels;
-use onionskin::{Context, Image, Layer, Method, Renderer, Rgba, Scene};
+use onionskin::report::{Panels, opaque};
+use onionskin::{Context, Method, Renderer, Rgba, Scene};
 
 #[path = "common/example.rs"]
 mod example;
 
-const WHITE: Rgba = Rgba::opaque([1.0; 3]);
 /// As the scene file has them, before they are lit.
 const OUTSIDE: [f32; 3] = [0.95, 0.1, 0.05];
 const INSIDE: [f32; 3] = [0.05, 0.85, 0.15];
@@ -48,20 +47,4 @@ fn main() -> onionskin::Result<()> {
         .save(&path)?;
     println!("{}", path.display());
     Ok(())
-}
-
-/// A layer as an opaque picture over white. The layer is where its depth lies before the far plane.
-fn opaque(layer: &Layer) -> Image {
-    let texels = layer.color.pixels.iter().zip(&layer.depth);
-    let pixels = texels.map(|(&color, &depth)| {
-        if depth < 1.0 {
-            Rgba { a: 1.0, ..color }
-        } else {
-            WHITE
-        }
-    });
-    Image {
-        pixels: pixels.collect(),
-        ..layer.color
-    }
 }

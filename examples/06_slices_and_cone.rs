@@ -8,7 +8,7 @@
 //!
 //! `cargo run --example 06_slices_and_cone [FOLDER]`
 
-use onionskin::generate::{Slices, SubmissionOrder, slices};
+use onionskin::low_level::edition::figures::carr::with_slices;
 use onionskin::options::Variant;
 use onionskin::report::Panels;
 use onionskin::{Context, Method, Renderer, Scene};
@@ -62,14 +62,6 @@ fn main() -> onionskin::Result<()> {
 }
 
 fn scene(count: u32) -> onionskin::Result<Scene> {
-    let mut scene = Scene::load_at(example::scene("slices.toml"), Some([320, 240]))?;
-    scene.meshes[0] = slices(&Slices {
-        count,
-        cells: 16,
-        alpha: 12.8 / count as f32,
-        order: SubmissionOrder::FrontToBack,
-        ..Slices::default()
-    })?;
-    scene.meshes[0].sorted = true;
-    Ok(scene)
+    let scene = Scene::load_at(example::scene("slices.toml"), Some([320, 240]))?;
+    with_slices(scene, count, 16)
 }

@@ -8,9 +8,9 @@
 //!
 //! `cargo run --example 11_three_memory_managers [FOLDER]`
 
-use onionskin::options::{ABufferOptions, Manager};
+use onionskin::low_level::edition::figures::lindholm::figure_4::{SIX, managers, six_pixels};
 use onionskin::report::memory_layout;
-use onionskin::{Context, Method, Renderer, Scene};
+use onionskin::{Context, Renderer, Scene};
 
 #[path = "common/example.rs"]
 mod example;
@@ -21,43 +21,20 @@ fn main() -> onionskin::Result<()> {
     let mut renderer = Renderer::new(&context, 640, 480)?;
 
     println!("manager  bands  list memory  bytes a fragment  same image");
-    let mut first = None;
-    let mut fixed_bytes = 0;
-    for (name, manager, in_bands) in [
-        ("FFB", Manager::Ffb, false),
-        ("DFB", Manager::Dfb, false),
-        ("PPLL", Manager::Ppll, false),
-        ("FFB", Manager::Ffb, true),
-    ] {
-        let options = ABufferOptions {
-            manager,
-            // Without a budget, bands may be cut for speed.
-            budget: Some(if in_bands { fixed_bytes / 2 } else { u64::MAX }),
-            ..ABufferOptions::default()
-        };
-        let frame = renderer.render(&scene, &Method::ABuffer(options))?;
-        let Some(counts) = frame.stats.a_buffer else {
-            continue;
-        };
-        if manager == Manager::Ffb {
-            fixed_bytes = counts.list_bytes;
-        }
-        let first = first.get_or_insert_with(|| frame.image.clone());
+    for row in managers(&mut renderer, &scene)? {
         println!(
-            "{name:<8} {:>5} {:>8.1} MiB {:>17.1}  {}",
-            counts.bands,
-            counts.list_bytes as f64 / f64::from(1 << 20),
-            counts.list_bytes as f64 / frame.stats.fragments as f64,
-            if *first == frame.image { "yes" } else { "no" }
+            "{:<8} {:>5} {:>8.1} MiB {:>17.1}  {}",
+            row.name,
+            row.bands,
+            row.bytes as f64 / f64::from(1 << 20),
+            row.each,
+            if row.same_image { "yes" } else { "no" }
         );
     }
 
-    let scene = Scene::load_at(example::scene("knots.toml"), Some([6, 5]))?;
-    let fragments = example::fragments(&context, &scene)?;
-    let row = fragments.iter().filter(|fragment| fragment.y == 2);
-    let pixels: Vec<u32> = row.map(|fragment| fragment.x).collect();
+    let scene = Scene::load_at(example::scene("knots.toml"), Some(SIX))?;
     let title = "Three memory managers (Lindholm et al. 2015, figure 4): six pixels of the knots";
-    let figure = memory_layout(title, 6, &pixels);
+    let figure = memory_layout(title, SIX[0], &six_pixels(&context, &scene)?);
     for ending in ["svg", "png"] {
         let path = example::output(&format!("11_three_memory_managers.{ending}"))?;
         figure.save(&path)?;

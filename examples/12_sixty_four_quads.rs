@@ -8,15 +8,9 @@
 //!
 //! `cargo run --example 12_sixty_four_quads [FOLDER]`
 
-use std::collections::BTreeMap;
-
-use onionskin::low_level::emulator::run_on_lists;
-use onionskin::low_level::papers::lindholm_2015::components::{
-    PP_AO, PP_AO_AMENDMENT, PP_DP, PP_DP_AMENDMENTS, STATIC_ARRAY,
-};
-use onionskin::options::{ABufferOptions, Manager};
+use onionskin::low_level::edition::figures::lindholm::figure_5::{costs, two_pixels};
 use onionskin::report::local_arrays;
-use onionskin::{Context, Fragment, Method, Renderer, Scene};
+use onionskin::{Context, Renderer, Scene};
 
 #[path = "common/example.rs"]
 mod example;
@@ -29,59 +23,22 @@ fn main() -> onionskin::Result<()> {
     for file in ["sheets64.toml", "molecule.toml"] {
         let scene = Scene::load_at(example::scene(file), Some(SIZE))?;
         println!("{file}\n             slots reserved      used  records read  subpasses");
-        for (name, pp_ao, pp_dp) in [
-            ("static", false, false),
-            ("ppAO", true, false),
-            ("ppDP", false, true),
-            ("ppAO + ppDP", true, true),
-        ] {
-            let options = ABufferOptions {
-                manager: Manager::Dfb,
-                pp_ao,
-                pp_dp,
-                ..ABufferOptions::default()
-            };
-            let frame = renderer.render(&scene, &Method::ABuffer(options))?;
-            if let Some(counts) = frame.stats.a_buffer {
-                println!(
-                    "{name:<12} {:>14} {:>9} {:>13} {:>10}",
-                    counts.slots_reserved, counts.slots_used, counts.records_read, counts.subpasses
-                );
-            }
+        for (name, counts) in costs(&mut renderer, &scene, 64, 0.0)? {
+            println!(
+                "{name:<12} {:>14} {:>9} {:>13} {:>10}",
+                counts.slots_reserved, counts.slots_used, counts.records_read, counts.subpasses
+            );
         }
     }
-    figure_5(&context)
-}
 
-fn figure_5(context: &Context) -> onionskin::Result<()> {
     let scene = Scene::load_at(example::scene("molecule.toml"), Some(SIZE))?;
-    let mut pixels = BTreeMap::<_, Vec<Fragment>>::new();
-    for fragment in example::fragments(context, &scene)? {
-        let list = pixels.entry((fragment.y, fragment.x)).or_default();
-        list.push(Fragment {
-            depth: fragment.depth,
-            color: fragment.color,
-            order: list.len() as u32,
-        });
-    }
-    let mut lists: Vec<_> = pixels.into_values().collect();
-    lists.sort_by_key(Vec::len);
-    let two = [
-        lists[lists.len() - 1].clone(),
-        lists[lists.len() / 4].clone(),
-    ];
-    let run = |algorithm, amendments: &[_], array| {
-        run_on_lists(algorithm, amendments, &two, array, 64).map(|run| run.pixels)
-    };
-    let fixed = run(&STATIC_ARRAY, &[], 64)?;
-    let pp_ao = run(&PP_AO, &[PP_AO_AMENDMENT], 64)?;
-    let pp_dp = run(&PP_DP, &PP_DP_AMENDMENTS, 8)?;
-    let runs = [("static", &fixed), ("ppAO", &pp_ao), ("ppDP", &pp_dp)];
-    let figure = local_arrays(
-        "Local Arrays (Lindholm et al. 2015, figure 5): two pixels of the molecule",
-        [0, 1].map(|n| two[n].len() as u32),
-        &runs.map(|(name, pixels)| (name, [&pixels[0], &pixels[1]])),
-    );
+    let title = "Local Arrays (Lindholm et al. 2015, figure 5): two pixels of the molecule";
+    let two = two_pixels(&context, &scene)?;
+    let runs = two
+        .runs
+        .each_ref()
+        .map(|(name, pixels)| (*name, pixels.each_ref()));
+    let figure = local_arrays(title, two.lists, &runs);
     for ending in ["svg", "png"] {
         let path = example::output(&format!("12_sixty_four_quads.{ending}"))?;
         figure.save(&path)?;

@@ -10,8 +10,8 @@
 //! `cargo run --example 13_shadow_mapping_is_a_depth_test [FOLDER]`
 
 use onionskin::options::{Compositing, DepthPeelingOptions, DepthUnit0};
-use onionskin::report::Panels;
-use onionskin::{Comparison, Context, Frame, Image, Layer, Method, Renderer, Rgba, Scene};
+use onionskin::report::{Panels, depths, opaque};
+use onionskin::{Comparison, Context, Frame, Method, Renderer, Scene};
 
 #[path = "common/example.rs"]
 mod example;
@@ -49,7 +49,7 @@ fn main() -> onionskin::Result<()> {
     }
 
     let [_, replaced, classic]: [Frame; 3] = frames.try_into().expect("three ways");
-    let map = shadow_map(&replaced.layers[0]);
+    let map = depths(replaced.layers[0].color.width, &replaced.layers[0].depth);
     let layer = opaque(&replaced.layers[1]);
     let path = example::output("13_shadow_mapping_is_a_depth_test.png")?;
     Panels::new("Shadow mapping is a depth test (Everitt 2001)")
@@ -61,36 +61,4 @@ fn main() -> onionskin::Result<()> {
         .save(&path)?;
     println!("{}", path.display());
     Ok(())
-}
-
-/// The depths of a layer in grey, from dark (nearest) to light (farthest). Pixels without a depth are white.
-fn shadow_map(layer: &Layer) -> Image {
-    let some = || layer.depth.iter().copied().filter(|&depth| depth < 1.0);
-    let nearest = some().fold(1.0, f32::min);
-    let farthest = some().fold(0.0, f32::max);
-    let grey = |&depth: &f32| {
-        let along = (depth - nearest) / (farthest - nearest).max(f32::MIN_POSITIVE);
-        let grey = if depth < 1.0 { 0.8 * along } else { 1.0 };
-        Rgba::opaque([grey; 3])
-    };
-    Image {
-        pixels: layer.depth.iter().map(grey).collect(),
-        ..layer.color
-    }
-}
-
-/// A layer as an opaque picture over white.
-fn opaque(layer: &Layer) -> Image {
-    let texels = layer.color.pixels.iter().zip(&layer.depth);
-    let color = |(&color, &depth): (&Rgba, &f32)| {
-        if depth < 1.0 {
-            Rgba { a: 1.0, ..color }
-        } else {
-            Rgba::opaque([1.0; 3])
-        }
-    };
-    Image {
-        pixels: texels.map(color).collect(),
-        ..layer.color
-    }
 }

@@ -8,38 +8,21 @@
 //!
 //! `cargo run --release --example 20_figure_2_over_time [FOLDER]`
 
-use onionskin::options::ABufferOptions;
-use onionskin::report::{Moment, save_series_csv, series};
-use onionskin::{Animation, Context, CountBy, Method, Renderer};
+use onionskin::low_level::edition::figures::lindholm::figure_2::{NAMES, moments};
+use onionskin::report::{save_series_csv, series};
+use onionskin::{Animation, Context, Renderer};
 
 #[path = "common/example.rs"]
 mod example;
 
 const SIZE: [u32; 2] = [192, 144];
 const TITLE: &str = "Layers and costs along a camera path (Lindholm et al. 2015, figure 2)";
-const NAMES: [&str; 3] = ["list records read", "subpasses", "time"];
 
 fn main() -> onionskin::Result<()> {
     let animation = Animation::load_at(example::scene("molecule_fused.toml"), Some(SIZE))?;
     let context = Context::headless()?;
     let mut renderer = Renderer::new(&context, SIZE[0], SIZE[1])?;
-    let method = Method::ABuffer(ABufferOptions {
-        pp_dp: true,
-        ..ABufferOptions::DEFAULT
-    });
-    let mut moments = Vec::new();
-    let mut first = None;
-    for frame in (0..animation.path.frames).step_by(10) {
-        let scene = animation.frame(frame)?;
-        let complexity = renderer.complexity(&scene, CountBy::Blending)?;
-        let stats = renderer.measure(&scene, &method, 3)?.stats;
-        let lists = stats.a_buffer.expect("an A-buffer counts");
-        let counts = [lists.records_read, lists.subpasses].map(|count| count as f64);
-        let costs = [counts[0], counts[1], stats.ms];
-        let first = *first.get_or_insert(costs);
-        let ratios = [0, 1, 2].map(|n| costs[n] / first[n]);
-        moments.push(Moment::new(frame, &complexity, ratios.to_vec()));
-    }
+    let moments = moments(&mut renderer, &animation, 10, true)?;
     let [svg, png] = series(TITLE, &NAMES, &moments)?;
     let path = example::output("20_figure_2_over_time.png")?;
     png.save(&path)?;

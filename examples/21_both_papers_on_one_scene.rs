@@ -9,9 +9,9 @@
 //!
 //! `cargo run --release --example 21_both_papers_on_one_scene [FOLDER]`
 
-use onionskin::options::{ABufferOptions, RecordColor};
+use onionskin::low_level::edition::figures::lindholm::slices_against_rays;
 use onionskin::report::{Curves, Panels, convergence};
-use onionskin::{Comparison, Context, Method, Renderer, Scene};
+use onionskin::{Context, Scene};
 
 #[path = "common/example.rs"]
 mod example;
@@ -23,31 +23,23 @@ const MOST_FOR_LAYERS: u32 = 64;
 
 fn main() -> onionskin::Result<()> {
     let context = Context::headless()?;
-    let (rays, hybrid) = (rays(), Method::HybridLayerPeeling(Default::default()));
     let scene = Scene::load_at(example::scene("fog.toml"), Some(SIZE))?;
-    let fused = renderer(&context, &scene, 1)?.render(&scene, &rays)?.image;
-
-    let (mut rms, mut max) = (Vec::new(), Vec::new());
-    let (mut hybrids, mut layers) = (Vec::new(), Vec::new());
+    let (_, rows) = slices_against_rays(&context, &scene, &COUNTS, MOST_FOR_LAYERS)?;
     println!("slices  rms difference  largest  iterations: hybrid  layer peeling");
-    for count in COUNTS {
-        let mut renderer = renderer(&context, &scene, count)?;
-        let frame = renderer.render(&scene, &hybrid)?;
-        let difference = Comparison::new(&frame.image, &fused, 0.0)?;
-        rms.push(difference.rms);
-        max.push(difference.max);
-        hybrids.push(f64::from(frame.stats.iterations));
-        let mut of_layers = "not run".to_owned();
-        if count <= MOST_FOR_LAYERS {
-            let frame = renderer.render(&scene, &Method::LayerPeeling(Default::default()))?;
-            layers.push(f64::from(frame.stats.iterations));
-            of_layers = frame.stats.iterations.to_string();
-        }
+    for row in &rows {
+        let of_layers = row.of_layers.map_or("not run".into(), |it| it.to_string());
         println!(
-            "{count:>6}  {:>14.1e}  {:>7.1e}  {:>18}  {of_layers:>13}",
-            difference.rms, difference.max, frame.stats.iterations
+            "{:>6}  {:>14.1e}  {:>7.1e}  {:>18}  {of_layers:>13}",
+            row.count, row.off.rms, row.off.max, row.iterations
         );
     }
+    let max = rows.iter().map(|row| row.off.max).collect();
+    let rms = rows.iter().map(|row| row.off.rms).collect();
+    let hybrids = rows.iter().map(|row| f64::from(row.iterations)).collect();
+    let layers = rows
+        .iter()
+        .filter_map(|row| row.of_layers.map(f64::from))
+        .collect();
     let error = Curves {
         of_what: "difference from the fused image".into(),
         curves: vec![
@@ -73,31 +65,12 @@ fn main() -> onionskin::Result<()> {
     let mut sheet = Panels::new(
         "Two volumes and a ring: slices (Carr et al. 2008), rays (Lindholm et al. 2015)",
     );
-    for count in [12, 96] {
-        let frame = renderer(&context, &scene, count)?.render(&scene, &hybrid)?;
-        sheet = sheet.picture(&frame.image, &format!("{count} slices"));
+    let (rays, rows) = slices_against_rays(&context, &scene, &[12, 96], 0)?;
+    for row in &rows {
+        sheet = sheet.picture(&row.image, &format!("{} slices", row.count));
     }
-    let frame = renderer(&context, &scene, 1)?.render(&scene, &rays)?;
     let path = example::output("21_both_papers_on_one_scene.png")?;
-    sheet.picture(&frame.image, "rays").save(&path)?;
+    sheet.picture(&rays, "rays").save(&path)?;
     println!("{}", path.display());
     Ok(())
-}
-
-/// Lists of any length and colours in 32 bits, so that only the slices make a difference.
-fn rays() -> Method {
-    Method::ABuffer(ABufferOptions {
-        color: RecordColor::Float,
-        pp_dp: true,
-        ..ABufferOptions::default()
-    })
-}
-
-fn renderer<'c>(
-    context: &'c Context,
-    scene: &Scene,
-    count: u32,
-) -> onionskin::Result<Renderer<'c>> {
-    let [width, height] = scene.size;
-    Renderer::new(context, width, height)?.with_slices(count)
 }

@@ -5,42 +5,31 @@
 //!
 //! `cargo run --release --example 25_table_1 [FOLDER]`
 
-use onionskin::generate::{Teapot, TorusKnot, teapot, torus_knot};
-use onionskin::options::Variant;
+use onionskin::low_level::edition::figures::carr::table_1::{VIEWS, methods, models, seen_from};
 use onionskin::report::Panels;
-use onionskin::{Camera, Context, Mesh, Method, Renderer, Scene};
+use onionskin::{Context, Renderer, Scene};
 
 #[path = "common/example.rs"]
 mod example;
 
 const SIZE: [u32; 2] = [160, 120];
-const VIEWS: [(&str, [f64; 3]); 3] = [
-    ("front", [0.0, 0.0, 1.0]),
-    ("side", [1.0, 0.0, 0.0]),
-    ("top", [0.0, 1.0, 0.02]),
-];
-
 fn main() -> onionskin::Result<()> {
     let context = Context::headless()?;
     let mut renderer = Renderer::new(&context, SIZE[0], SIZE[1])?;
-    let methods = [
-        Method::CoherentLayerPeeling(Variant::A.into()),
-        Method::CoherentLayerPeeling(Variant::B.into()),
-        Method::LayerPeeling(Default::default()),
-    ];
+    let molecule = Scene::load(example::scene("molecule.toml"))?;
     println!(
         "model          faces  vertices  view     coherent A     coherent B  layer peeling  its time / A's"
     );
     let title = "Coherent layer peeling A of the molecule's surface (Carr et al. 2008, table 1)";
     let mut sheet = Panels::new(title);
-    for (name, mesh) in models()? {
+    for (name, mesh) in models(&molecule)? {
         for (view, direction) in VIEWS {
-            let scene = seen_from(&mesh, direction);
+            let scene = seen_from(&mesh, direction, SIZE);
             let (faces, vertices) = (mesh.triangles.len(), mesh.vertices.len());
             print!("{name:<12} {faces:7} {vertices:9}  {view:<5}");
             let mut ms = Vec::new();
-            for method in &methods {
-                let frame = renderer.measure(&scene, method, 1)?;
+            for method in methods() {
+                let frame = renderer.measure(&scene, &method, 1)?;
                 let stats = &frame.stats;
                 let cell = format!("{} it, {} g", stats.iterations, stats.geometry_passes);
                 print!("{cell:>15}");
@@ -60,33 +49,4 @@ fn main() -> onionskin::Result<()> {
     sheet.save(&path)?;
     println!("{}", path.display());
     Ok(())
-}
-
-fn models() -> onionskin::Result<Vec<(String, Mesh)>> {
-    let mut models = vec![
-        ("teapot".to_owned(), teapot(&Teapot::default())?),
-        ("torus knot".to_owned(), torus_knot(&TorusKnot::default())?),
-    ];
-    let molecule = Scene::load(example::scene("molecule.toml"))?;
-    let names = ["ligand", "ribbon", "potential +", "potential -", "surface"];
-    models.extend(names.map(String::from).into_iter().zip(molecule.meshes));
-    for (_, mesh) in &mut models {
-        mesh.vertices
-            .iter_mut()
-            .for_each(|vertex| vertex.color.a = 0.4);
-        mesh.opaque = false;
-    }
-    Ok(models)
-}
-
-/// The whole mesh, from this direction.
-fn seen_from(mesh: &Mesh, direction: [f64; 3]) -> Scene {
-    let mut scene = Scene::of("model", vec![mesh.clone()]);
-    scene.size = SIZE;
-    if let Some(bounds) = scene.bounds() {
-        let far = (bounds.max - bounds.min).length() * 1.6;
-        let eye = bounds.centre() + glam::DVec3::from(direction).normalize() * far;
-        scene.camera = Camera::looking(eye, bounds.centre());
-    }
-    scene
 }

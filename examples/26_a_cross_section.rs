@@ -7,6 +7,7 @@
 //!
 //! `cargo run --example 26_a_cross_section [FOLDER]`
 
+use onionskin::low_level::edition::figures::deepest_column;
 use onionskin::report::CrossSection;
 use onionskin::{Context, Scene};
 
@@ -18,22 +19,13 @@ const SIZE: [u32; 2] = [560, 420];
 fn main() -> onionskin::Result<()> {
     let scene = Scene::load_at(example::scene("knots.toml"), Some(SIZE))?;
     let context = Context::headless()?;
-    let mut columns = vec![vec![Vec::new(); SIZE[1] as usize]; SIZE[0] as usize];
-    for fragment in example::fragments(&context, &scene)? {
-        let row = SIZE[1] - 1 - fragment.y;
-        columns[fragment.x as usize][row as usize].push(fragment.depth);
-    }
-    let fragments = |column: &&Vec<Vec<f32>>| -> usize { column.iter().map(Vec::len).sum() };
-    let column = columns
-        .iter()
-        .max_by_key(fragments)
-        .expect("there are columns");
+    let column = deepest_column(&context, &scene)?;
     for layer in 0..4 {
         let samples = column.iter().filter(|pixel| pixel.len() > layer).count();
         println!("layer {layer}: {samples:4} samples");
     }
     let title = "A vertical cut through three knots, seen from the left (Everitt 2001, figure 4)";
-    let figure = CrossSection::new(title, 3, column);
+    let figure = CrossSection::new(title, 3, &column);
     for ending in ["svg", "png"] {
         let path = example::output(&format!("26_a_cross_section.{ending}"))?;
         figure.save(&path)?;

@@ -10,6 +10,7 @@ mod compare;
 mod complexity;
 mod doctor;
 mod driver_report;
+mod edition;
 mod encoding;
 mod errata;
 mod flags;
@@ -61,6 +62,7 @@ Examples:
   onionskin animate scene.toml -o frames               a camera path as pictures and a table
   onionskin listing everitt/listing-1                  what depth peeling does, as the paper has it
   onionskin claims everitt                             what a paper claims, and whether it is true
+  onionskin edition -o site                            the papers as pages that run
 
 `onionskin COMMAND --help` explains the arguments, `onionskin render --help` also scene files.
 Results go to standard output; notes and errors go to standard error.
@@ -78,6 +80,7 @@ enum Command {
     Listing(listing::Listing),
     Claims(claims::Claims),
     Errata(errata::Errata),
+    Edition(edition::Edition),
     Methods(methods::Methods),
     Doctor(doctor::Doctor),
     Licences(licences::Licences),
@@ -103,6 +106,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Listing(listing) => listing.run(),
         Command::Claims(claims) => claims.run(),
         Command::Errata(errata) => errata.run(),
+        Command::Edition(edition) => edition.run(),
         Command::Methods(methods) => methods.run(),
         Command::Doctor(doctor) => doctor.run(),
         Command::Licences(licences) => licences.run(),

@@ -116,22 +116,30 @@ fn differences(a: Rgba, b: Rgba) -> [f64; 4] {
 /// # Errors
 /// If their sizes differ.
 pub fn difference_picture(a: &Image, b: &Image, gain: f32) -> Result<Image> {
+    let difference = differences_alone(a, b, gain)?;
+    Ok(Image::beside(
+        &[a, b, &difference],
+        4,
+        Rgba::opaque([0.5; 3]),
+    ))
+}
+
+/// The difference of both pictures, as [`difference_picture`] has it beside them.
+///
+/// # Errors
+/// If their sizes differ.
+pub(crate) fn differences_alone(a: &Image, b: &Image, gain: f32) -> Result<Image> {
     Comparison::new(a, b, 0.0)?;
     let pixels = a.pixels.iter().zip(&b.pixels).map(|(&a, &b)| {
         let [red, green, blue, alpha] = differences(a, b).map(|d| (d as f32 * gain).min(1.0));
         // A difference in alpha alone shows in grey.
         Rgba::new(red.max(alpha), green.max(alpha), blue.max(alpha), 1.0)
     });
-    let difference = Image {
+    Ok(Image {
         width: a.width,
         height: a.height,
         pixels: pixels.collect(),
-    };
-    Ok(Image::beside(
-        &[a, b, &difference],
-        4,
-        Rgba::opaque([0.5; 3]),
-    ))
+    })
 }
 
 #[cfg(test)]

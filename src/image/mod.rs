@@ -6,8 +6,8 @@ mod load;
 mod output;
 mod resemblance;
 
-pub(crate) use compare::difference;
 pub use compare::{Comparison, difference_picture};
+pub(crate) use compare::{difference, differences_alone};
 pub use file::{Encoding, FileKind};
 pub(crate) use output::write_whole;
 pub use output::{UNFINISHED, check_writable};

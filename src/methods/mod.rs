@@ -75,6 +75,7 @@ mod loop_guard;
 mod proxies;
 mod renderer;
 mod requirements;
+pub mod shadows;
 mod slicing;
 mod sorting;
 mod stats;

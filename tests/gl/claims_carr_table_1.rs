@@ -3,50 +3,9 @@
 
 use crate::kit::carr_scenes::LAYERS;
 use crate::kit::render::{example, render};
-use onionskin::generate::{Teapot, TorusKnot, teapot, torus_knot};
+use onionskin::low_level::edition::figures::carr::table_1::{SIZE, VIEWS, models, seen_from};
 use onionskin::options::Variant;
-use onionskin::{Camera, Context, Mesh, Method, Scene};
-
-/// "These typically represented the range in performance": the directions from which a model is seen.
-const VIEWS: [(&str, [f64; 3]); 3] = [
-    ("front", [0.0, 0.0, 1.0]),
-    ("side", [1.0, 0.0, 0.0]),
-    ("top", [0.0, 1.0, 0.02]),
-];
-
-fn translucent(mut mesh: Mesh) -> Mesh {
-    for vertex in &mut mesh.vertices {
-        vertex.color.a = 0.4;
-    }
-    mesh.opaque = false;
-    mesh
-}
-
-/// Meshes that are made, and those of the bundled molecule.
-fn models() -> Vec<(String, Mesh)> {
-    let mut models = vec![
-        ("teapot".to_owned(), teapot(&Teapot::default()).unwrap()),
-        (
-            "torus knot".to_owned(),
-            torus_knot(&TorusKnot::default()).unwrap(),
-        ),
-    ];
-    let molecule = example("molecule", [64, 48]);
-    let names = ["ligand", "ribbon", "potential +", "potential -", "surface"];
-    models.extend(names.map(String::from).into_iter().zip(molecule.meshes));
-    models
-}
-
-fn seen_from(mesh: &Mesh, direction: [f64; 3]) -> Scene {
-    let mut scene = Scene::of("model", vec![mesh.clone()]);
-    scene.size = [96, 72];
-    let bounds = scene.bounds().unwrap();
-    let middle = bounds.centre();
-    let far = (bounds.max - bounds.min).length() * 1.6;
-    let eye = middle + glam::DVec3::from(direction).normalize() * far;
-    scene.camera = Camera::looking(eye, middle);
-    scene
-}
+use onionskin::{Context, Method};
 
 #[test]
 pub(crate) fn c20_c21_table_1_on_the_meshes_at_hand() {
@@ -57,10 +16,9 @@ pub(crate) fn c20_c21_table_1_on_the_meshes_at_hand() {
         "model, faces, vertices, view", "coherent A", "coherent B", "layer peeling"
     );
     let mut ratios = Vec::new();
-    for (name, mesh) in models() {
-        let mesh = translucent(mesh);
+    for (name, mesh) in models(&example("molecule", SIZE)).unwrap() {
         for (view, direction) in VIEWS {
-            let scene = seen_from(&mesh, direction);
+            let scene = seen_from(&mesh, direction, SIZE);
             let rows = [&a, &b, &LAYERS].map(|method| render(&context, &scene, method).stats);
             let cells = rows
                 .each_ref()

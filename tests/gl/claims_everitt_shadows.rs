@@ -2,19 +2,10 @@
 //! are peeled, with a map that a light has made. The camera's own map is the special case.
 
 use glam::DVec3;
-use onionskin::low_level::gl::{Geometry, GlMachine};
-use onionskin::low_level::papers::stage;
-use onionskin::low_level::steps::{
-    Call, Capability, ClassicCall, Machine, Map, Objects, Shader, Target, gl::*,
-};
-use onionskin::{Camera, Context, Format, Mesh, Rgba, Scene, Vertex};
+use onionskin::low_level::methods::shadows;
+use onionskin::{Camera, Context, Mesh, Rgba, Scene, Vertex};
 
 const SIZE: [u32; 2] = [96, 96];
-const SHADOW_MAP: Map = Map::named("shadow map");
-const IMAGE: Map = Map::named("shadowed");
-const DEPTH: Map = Map::named("shadowed depth");
-const FROM_THE_LIGHT: Target = Target("from the light");
-const FROM_THE_EYE: Target = Target("from the eye");
 
 fn quad(corners: [[f64; 3]; 4]) -> Mesh {
     let vertex = |place: [f64; 3]| Vertex {
@@ -65,82 +56,13 @@ fn light() -> Camera {
     looking(DVec3::new(-2.5, 6.0, 1.0))
 }
 
-/// Draws the scene with the shadows of a light: each pixel's colour, row by row from the bottom, black in shadow. `bias` is
-/// taken from the compared depth, because a texel's depth is not that of every fragment that falls into it.
+/// The scene with the shadows of a light: each pixel's colour, row by row from the bottom, black in shadow.
 fn shadowed(context: &Context, scene: &Scene, light: Camera, bias: f32) -> Vec<[f32; 4]> {
-    let mut machine = GlMachine::new(context, SIZE).unwrap();
-    machine.allocate(SHADOW_MAP, Format::Depth32F).unwrap();
-    machine.allocate(DEPTH, Format::Depth32F).unwrap();
-    machine.allocate(IMAGE, Format::Rgba32F).unwrap();
-    machine
-        .framebuffer(FROM_THE_LIGHT, None, Some(SHADOW_MAP))
-        .unwrap();
-    machine
-        .framebuffer(FROM_THE_EYE, Some(IMAGE), Some(DEPTH))
-        .unwrap();
-    let lit = Scene {
-        camera: light,
-        ..scene.clone()
-    };
-    // "In the first pass, the scene is rendered from the light's point of view."
-    machine.set_geometry(Geometry::upload(context, &lit, SIZE).unwrap());
-    machine.begin_frame();
-    let draw = |framebuffer, program| {
-        [
-            Call::BindFramebuffer { framebuffer },
-            Call::Clear {
-                mask: COLOR_AND_DEPTH_BUFFER_BITS,
-            },
-            Call::Enable {
-                cap: Capability::DepthTest,
-            },
-            Call::UseProgram { program },
-            Call::Draw {
-                objects: Objects::Scene,
-            },
-        ]
-    };
-    for call in draw(FROM_THE_LIGHT, stage::SURFACE) {
-        machine.perform(&call).unwrap();
-    }
-    // "In the second pass, the shadow map is projected onto the scene."
-    machine.look(scene);
-    for call in projected_from(light, bias) {
-        machine.perform(&call).unwrap();
-    }
-    for call in draw(FROM_THE_EYE, Shader("classic/fixed")) {
-        machine.perform(&call).unwrap();
-    }
-    machine.read_colors(IMAGE).unwrap()
-}
-
-/// r <= lookup(s, t): a fragment that is not behind the light's nearest surface keeps its colour. With the camera's view as
-/// modelview matrix, the planes of the texture coordinates give places in the world.
-fn projected_from(light: Camera, bias: f32) -> Vec<Call> {
-    let to_light = light.projection(SIZE[0], SIZE[1]) * light.view();
-    let rows = to_light
-        .transpose()
-        .to_cols_array_2d()
-        .map(|row| row.map(|x| x as f32));
-    let set_m = Call::Classic(ClassicCall::SetM { rows });
-    vec![
-        glActiveTextureARB(GL_TEXTURE3_ARB),
-        bind_texture_2d(SHADOW_MAP),
-        enable_classic(GL_TEXTURE_2D),
-        compare_r_to_texture(true),
-        texture_compare_func(LEQUAL),
-        depth_texture_mode(GL_LUMINANCE),
-        glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE),
-        eye_linear_texgen(),
-        texgen(true),
-        glMatrixMode(GL_TEXTURE),
-        glLoadIdentity(),
-        glTranslatef(0.5, 0.5, 0.5 - bias),
-        glScalef(0.5, 0.5, 0.5),
-        set_m,
-        glMultMatrix_m(),
-        glMatrixMode(GL_MODELVIEW),
-    ]
+    let image = shadows::shadowed(context, scene, light, bias)
+        .unwrap()
+        .image;
+    let rows = image.pixels.chunks_exact(SIZE[0] as usize).rev();
+    rows.flatten().map(|color| color.to_array()).collect()
 }
 
 /// What lies at a pixel's middle, in f64: the nearest point of the scene there, or `None`.

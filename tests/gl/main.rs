@@ -43,6 +43,8 @@ mod coplanar;
 mod cross_section;
 mod depth_noise;
 mod dual_peeling;
+mod edition_carr;
+mod edition_lindholm;
 mod errata_everitt;
 mod exact;
 mod exact_depth;

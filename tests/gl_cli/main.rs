@@ -22,6 +22,7 @@ mod complexity;
 mod depth;
 mod depth_unit;
 mod doctor;
+mod edition;
 mod inspect;
 mod peeling;
 mod render;

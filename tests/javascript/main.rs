@@ -9,6 +9,7 @@ mod cases;
 mod compare;
 mod control;
 mod digest;
+mod dragged;
 mod emulated;
 mod exact;
 mod lines;

@@ -134,7 +134,7 @@ claims! {
                 become fewer.",
         evidence: "In the deepest row of two scenes every layer has one fragment where there is one, with as many \
                    before it as its number. The samples do not grow; a closed surface has as many in its first two \
-                   layers. The diagram itself is not drawn.",
+                   layers. The edition draws the diagram of a column of knots.",
         tests: [gl::cross_section::e11_each_layer_has_the_frontmost_of_what_the_layers_before_have_left],
     }
     E12 ("Putting It All Together") Amended {
