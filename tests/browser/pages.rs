@@ -22,7 +22,7 @@ fn pages() -> Vec<PathBuf> {
 }
 
 #[test]
-fn every_page_opens_without_an_error_and_every_picture_is_seen() {
+fn every_page_opens_without_an_error_every_picture_is_seen_and_nothing_is_wider_than_a_phone() {
     let reader = Reader::new();
     for page in pages() {
         reader.open(&page);
@@ -32,6 +32,13 @@ fn every_page_opens_without_an_error_and_every_picture_is_seen() {
         ));
         assert_eq!(lost, "", "{}", page.display());
         assert_eq!(reader.errors(), Vec::<String>::new(), "{}", page.display());
+        reader.resize(360, 800);
+        let wider = reader.ask("String(document.documentElement.scrollWidth - innerWidth)");
+        assert!(
+            wider.parse::<i32>().unwrap() <= 0,
+            "{}: {wider}",
+            page.display()
+        );
     }
 }
 
@@ -44,21 +51,6 @@ fn an_error_of_a_page_would_be_noticed() {
         "setTimeout(() => fault(), 0); new Promise((done) => setTimeout(done, 100)).then(() => '')",
     );
     assert!(reader.errors()[0].contains("fault is not defined"));
-}
-
-#[test]
-fn nothing_is_wider_than_a_phone() {
-    let reader = Reader::new();
-    for page in pages() {
-        reader.open(&page);
-        reader.resize(360, 800);
-        let wider = reader.ask("String(document.documentElement.scrollWidth - innerWidth)");
-        assert!(
-            wider.parse::<i32>().unwrap() <= 0,
-            "{}: {wider}",
-            page.display()
-        );
-    }
 }
 
 #[test]
@@ -119,6 +111,13 @@ fn every_exercise_can_be_solved_and_is_then_said_to_be_solved() {
     let reader = Reader::new();
     let mut left: Vec<String> = Vec::new();
     for page in pages() {
+        // Most pages have none.
+        if !std::fs::read_to_string(&page)
+            .unwrap()
+            .contains("data-exercise=\"")
+        {
+            continue;
+        }
         reader.open(&page);
         let keys = reader.ask("[...document.querySelectorAll('[data-exercise]')].map((it) => it.dataset.exercise).join(' ')");
         for key in keys.split_whitespace() {

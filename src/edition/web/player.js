@@ -146,7 +146,7 @@
           button("▶▶", "Pass on (Shift, right)", () => this.goPass(1)),
           button("▶|", "End (End)", () => this.go(Infinity)),
           this.slider, this.where),
-        make("div", { class: "beside" }, make("div", null, this.listing, this.parts.words), make("div", null, this.axis, this.parts.now)),
+        make("div", { class: "beside" }, make("div", null, this.listing, this.parts.words), make("div", null, make("div", { class: "scroll" }, this.axis), this.parts.now)),
         this.parts.end, make("details", { open: true }, make("summary", null, "Change the pixel"), this.parts.edit));
       stage.tabIndex = -1;
       this.root.querySelector(".keys").after(stage);
@@ -349,6 +349,7 @@
       const { event } = this;
       if (!event) return ["Nothing has been done yet."];
       const shown = [];
+      if (this.at - 1 === this.run.parts) shown.push(make("p", { class: "bad" }, "Here they part."));
       if (event.fates) {
         shown.push(table("This draw, fragment by fragment", ["fragment", "ended", "stencil", "stored depth"],
           event.fates.map((it) => [this.name(it.surface), it.outcome, change(it.stencil), change(it.stored_depth)])));
@@ -359,7 +360,7 @@
       const from = ({ how, from }) => (!how || how === "data" ? "" : from ? this.names(from) : "mixed");
       if (maps.length) shown.push(table("The pixel of each map", ["map", "holds", "made of"], maps.map(([name, it]) => [name, value(it), from(it)])));
       const numbers = [...Object.entries(event.samples).map(([name, it]) => [`samples of ${name}`, String(it)]), ...Object.entries(event.variables).map(([name, it]) => [name, short(it)])];
-      if (numbers.length) shown.push(table("Queries and variables", ["name", "value"], numbers));
+      if (numbers.length) shown.push(table("Numbers", ["name", "value"], numbers));
       return shown;
     }
 
@@ -369,7 +370,7 @@
         table("The pixel's list, and the Local Array", ["what", "holds"], [
           ["the list", this.names(lists.list)], ["the array", lists.buffer ? this.names(lists.buffer) : "–"],
           ["min depth, id", lists.min ? lists.min.map(short).join(", ") : "–"], ["composited", this.names(lists.composited)]]),
-        ...(rows.length ? [table("Walks through the list", ["walk", "skipped", "dropped", "in the array", "composited"], rows)] : []),
+        ...(rows.length ? [table("Walks", ["walk", "skipped", "dropped", "in the array", "composited"], rows)] : []),
       ];
     }
 
