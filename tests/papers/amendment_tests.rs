@@ -154,6 +154,10 @@ fn strings(field: &str) -> BTreeSet<String> {
 fn collect(folder: &Path, field: &str, found: &mut BTreeSet<String>) {
     for entry in fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
+        // Pages have keys of their own.
+        if path.is_dir() && path.ends_with("src/edition") {
+            continue;
+        }
         if path.is_dir() {
             collect(&path, field, found);
             continue;

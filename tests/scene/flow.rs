@@ -99,7 +99,12 @@ proptest! {
         let volume = Volume::new("noise", [5; 3], samples, placement).unwrap();
         let mesh = isosurface(&Isosurface { volume: &volume, value: 2.0 }).unwrap();
         prop_assert_eq!(open_edges(&mesh), 0);
-        prop_assert!(enclosed(&mesh) > 0.0);
+        // Around samples that are the surface's value it encloses nothing, but for the rounding of some hundred products of
+        // coordinates up to 5.
+        match inner.iter().any(|&value| value > 2) {
+            true => prop_assert!(enclosed(&mesh) > 0.0),
+            false => prop_assert!(enclosed(&mesh).abs() < 1e-11, "{}", enclosed(&mesh)),
+        }
         prop_assert!(mesh.is_finite());
     }
 }
