@@ -10,7 +10,7 @@
 //! | `order` | in which order surfaces are drawn: `submission`, or `sorted front to back`, of the group `sorted` after the others |
 //! | `array` | the number of elements of the Local Array, or null |
 //! | `on` | what its steps work on: `calls`, `fragments` or `lists` |
-//! | `lines`, `steps` | as [`listing_json`] has them, with the differences below |
+//! | `lines`, `steps` | as [`listing_json`](super::listing_json) has them, with the differences below |
 //! | `silences` | the numbers of the lines at which the paper is silent and this reading does nothing |
 //!
 //! A step has no `origin`, but the number of its `line`, or null if it is not printed. A line of pseudocode also has a `name`

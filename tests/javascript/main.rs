@@ -5,6 +5,8 @@
 #[allow(dead_code, unreachable_pub)] // it has more than is used here
 mod chance;
 
+mod calls;
+mod calls_coherent;
 mod cases;
 mod compare;
 mod control;
@@ -13,7 +15,5 @@ mod dragged;
 mod emulated;
 mod exact;
 mod lines;
-mod listings;
-mod listings_coherent;
 mod node;
 mod pseudocode;
