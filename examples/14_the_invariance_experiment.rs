@@ -10,8 +10,10 @@
 //! `cargo run --example 14_the_invariance_experiment [FOLDER]`
 
 use onionskin::generate::{Quads, SubmissionOrder, quads};
-use onionskin::low_level::methods::invariance::{Verdict, perspective_soup, run_experiment};
-use onionskin::options::{Comparator, DepthPeelingOptions, DepthSource, Experiment};
+use onionskin::low_level::methods::invariance::{
+    SOURCES, Verdict, perspective_soup, run_experiment,
+};
+use onionskin::options::{Comparator, DepthPeelingOptions, Experiment};
 use onionskin::report::Panels;
 use onionskin::{Comparison, Context, Format, Image, Method, Renderer, Result, Scene};
 
@@ -20,25 +22,6 @@ mod example;
 
 const SIZE: [u32; 2] = [192, 144];
 const D32F: Format = Format::Depth32F;
-
-/// The stored depths, and the depths that are compared with them.
-const SOURCES: [(&str, DepthSource, DepthSource); 3] = [
-    (
-        "window z : window z",
-        DepthSource::WindowZ,
-        DepthSource::WindowZ,
-    ),
-    (
-        "window z : r/q",
-        DepthSource::WindowZ,
-        DepthSource::Quotient,
-    ),
-    (
-        "depth replace : r/q",
-        DepthSource::Quotient,
-        DepthSource::Quotient,
-    ),
-];
 
 fn main() -> Result<()> {
     let context = Context::headless()?;

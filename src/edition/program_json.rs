@@ -46,12 +46,13 @@ pub fn object(program: &Program, readings: &[Reading]) -> Value {
         let rest = written.rest(program, rest, readings[0]);
         all.as_array_mut().expect("steps are a list").push(rest);
     }
-    let maps = program.resources.iter().flat_map(|it| it.maps);
+    let resources = program.resources();
+    let maps = resources.iter().flat_map(|it| it.maps);
     let maps = maps.map(|(map, holds)| {
         let format = holds.format(COLOR, DEPTH);
         json!({ "name": map.to_string(), "format": format.to_string() })
     });
-    let framebuffers = program.resources.iter().flat_map(|it| it.framebuffers);
+    let framebuffers = resources.iter().flat_map(|it| it.framebuffers);
     let framebuffers = framebuffers.map(|it| {
         json!({
             "name": it.target.0,

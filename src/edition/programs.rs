@@ -19,8 +19,9 @@ pub struct Program {
     pub method: &'static str,
     /// The text.
     pub text: Text,
-    /// What the text takes for granted. Colours are 32-bit floats, and so are depths, beside 8 bits of stencil.
-    pub resources: &'static [&'static Resources],
+    /// What the text takes for granted besides the common stage's. Colours are 32-bit floats, and so are depths, beside 8 bits
+    /// of stencil.
+    pub besides: &'static [&'static Resources],
     /// The variables that have values before it begins. Infinity is no limit.
     pub variables: &'static [(&'static str, f64)],
     /// Whether the method draws the triangles of sorted meshes front to back, after the others.
@@ -51,12 +52,24 @@ impl Program {
         key: "",
         method: "",
         text: Text::Listing(EVERITT, &[]),
-        resources: &[],
+        besides: &[],
         variables: &[],
         sorts: false,
         array: None,
         rest: None,
     };
+
+    /// What a listing takes for granted. Pseudocode takes nothing.
+    pub fn resources(&self) -> Vec<&'static Resources> {
+        let common = match self.text {
+            Text::Listing(..) => Some(&stage::RESOURCES),
+            Text::Pseudocode(..) | Text::Lists(..) => None,
+        };
+        common
+            .into_iter()
+            .chain(self.besides.iter().copied())
+            .collect()
+    }
 
     /// The readings in which the program differs, each with the others that are the same.
     pub fn readings(&self) -> Vec<Vec<Reading>> {
@@ -92,7 +105,7 @@ const PROGRAMS: &[Program] = &[
         key: "everitt/depth-peeling",
         method: "depth-peeling",
         text: Text::Listing(EVERITT, &[everitt_2001::ALPHA]),
-        resources: &[&stage::RESOURCES, &vtk::PEELING],
+        besides: &[&vtk::PEELING],
         variables: &[("num_passes", 4.0)],
         ..Program::NONE
     },
@@ -100,7 +113,7 @@ const PROGRAMS: &[Program] = &[
         key: "vtk/keep-layers",
         method: "depth-peeling",
         text: Text::Listing(vtk::KEEP_LAYERS, &[]),
-        resources: &[&stage::RESOURCES, &vtk::PEELING],
+        besides: &[&vtk::PEELING],
         variables: PEELS,
         ..Program::NONE
     },
@@ -108,7 +121,7 @@ const PROGRAMS: &[Program] = &[
         key: "vtk/on-the-fly",
         method: "depth-peeling",
         text: Text::Listing(vtk::ON_THE_FLY, &[]),
-        resources: &[&stage::RESOURCES, &vtk::PEELING, &stage::ACCUMULATING],
+        besides: &[&vtk::PEELING, &stage::ACCUMULATING],
         variables: PEELS,
         ..Program::NONE
     },
@@ -116,11 +129,7 @@ const PROGRAMS: &[Program] = &[
         key: "carr/layer-peeling",
         method: "layer-peeling",
         text: Text::Listing(hybrid::LAYER_PEELING, &hybrid::AMENDMENTS),
-        resources: &[
-            &stage::RESOURCES,
-            hybrid::RESOURCES[0],
-            hybrid::RESOURCES[1],
-        ],
+        besides: &hybrid::RESOURCES,
         variables: LIMIT,
         ..Program::NONE
     },
@@ -128,11 +137,7 @@ const PROGRAMS: &[Program] = &[
         key: "carr/hybrid",
         method: "hybrid-layer-peeling",
         text: Text::Listing(hybrid::HYBRID, &hybrid::AMENDMENTS),
-        resources: &[
-            &stage::RESOURCES,
-            hybrid::RESOURCES[0],
-            hybrid::RESOURCES[1],
-        ],
+        besides: &hybrid::RESOURCES,
         variables: LIMIT,
         ..Program::NONE
     },
@@ -140,11 +145,7 @@ const PROGRAMS: &[Program] = &[
         key: "carr/coherent-a",
         method: "coherent-layer-peeling-a",
         text: Text::Listing(coherent::VARIANT_A, &coherent::AMENDMENTS),
-        resources: &[
-            &stage::RESOURCES,
-            coherent::RESOURCES_A[0],
-            coherent::RESOURCES_A[1],
-        ],
+        besides: &coherent::RESOURCES_A,
         variables: LIMIT,
         ..Program::NONE
     },
@@ -152,11 +153,7 @@ const PROGRAMS: &[Program] = &[
         key: "carr/coherent-b",
         method: "coherent-layer-peeling-b",
         text: Text::Listing(coherent::VARIANT_B, &coherent::AMENDMENTS),
-        resources: &[
-            &stage::RESOURCES,
-            coherent::RESOURCES_B[0],
-            coherent::RESOURCES_B[1],
-        ],
+        besides: &coherent::RESOURCES_B,
         variables: LIMIT,
         ..Program::NONE
     },
@@ -164,7 +161,7 @@ const PROGRAMS: &[Program] = &[
         key: "carr/ideal",
         method: "ideal-coherent-layer-peeling",
         text: Text::Listing(ideal::IDEAL, &ideal::AMENDMENTS),
-        resources: &[&stage::RESOURCES, &ideal::RESOURCES],
+        besides: &[&ideal::RESOURCES],
         variables: LIMIT,
         ..Program::NONE
     },
@@ -185,7 +182,7 @@ const PROGRAMS: &[Program] = &[
         key: "bavoil/dual-peeling",
         method: "dual-depth-peeling",
         text: Text::Listing(bavoil_2008::DUAL_DEPTH_PEELING, &[]),
-        resources: &[&stage::RESOURCES, &bavoil_2008::RESOURCES],
+        besides: &[&bavoil_2008::RESOURCES],
         variables: PEELS,
         ..Program::NONE
     },
@@ -221,7 +218,7 @@ const PROGRAMS: &[Program] = &[
         key: "edition/verified-painter",
         method: "verified-painter",
         text: Text::Listing(edition::VERIFIED_PAINTER, &[]),
-        resources: &[&stage::RESOURCES, &edition::RESOURCES],
+        besides: &[&edition::RESOURCES],
         array: Some(8),
         rest: Some(Rest {
             unless_zero: edition::FAILED,

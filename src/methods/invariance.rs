@@ -9,7 +9,7 @@
 use glam::DVec3;
 
 use super::coplanar::{Shown, shown};
-use super::depth_unit_0::{DepthUnit0, Experiment};
+use super::depth_unit_0::{DepthSource, DepthUnit0, Experiment};
 use super::{DepthPeelingOptions, Method, Renderer};
 use crate::error::Result;
 use crate::fragment::Rgba;
@@ -22,6 +22,25 @@ use crate::steps::Reason;
 /// The largest error of an exact method: f32 colours are composited in at most 64 roundings of 2^-24 each, with some
 /// reserve.
 const EXACT: f64 = 1e-5;
+
+/// The comparisons that matter, by name: how the stored depth is made, and how the one that is compared with it.
+pub const SOURCES: [(&str, DepthSource, DepthSource); 3] = [
+    (
+        "window z : window z",
+        DepthSource::WindowZ,
+        DepthSource::WindowZ,
+    ),
+    (
+        "window z : r/q",
+        DepthSource::WindowZ,
+        DepthSource::Quotient,
+    ),
+    (
+        "depth replace : r/q",
+        DepthSource::Quotient,
+        DepthSource::Quotient,
+    ),
+];
 
 /// A loop is stuck if it goes on for so many more peels than the deepest pixel has fragments.
 const SPARE_PEELS: u32 = 8;

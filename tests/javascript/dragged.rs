@@ -33,7 +33,7 @@ fn stencil_values(surfaces: &[Value]) -> Vec<Option<u8>> {
         },
     });
     let mut emulator = Emulator::new(vec![surfaces.collect()]).watching(0);
-    allocate_maps(&mut emulator, program.resources, COLOR, DEPTH).unwrap();
+    allocate_maps(&mut emulator, &program.resources(), COLOR, DEPTH).unwrap();
     let mut variables = Variables::new();
     for &(name, value) in program.variables {
         variables.set(name, value);

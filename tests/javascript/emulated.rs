@@ -260,8 +260,9 @@ pub(crate) fn listing(
     if order.is_some() {
         emulator.set_order(order);
     }
-    allocate_maps(&mut emulator, program.resources, COLOR, DEPTH).unwrap();
-    let maps = program.resources.iter().flat_map(|it| it.maps);
+    let resources = program.resources();
+    allocate_maps(&mut emulator, &resources, COLOR, DEPTH).unwrap();
+    let maps = resources.iter().flat_map(|it| it.maps);
     let maps = maps.map(|(map, holds)| (map.to_string(), (*map, holds.format(COLOR, DEPTH))));
     let pixel_machine = Shared(Rc::new(RefCell::new(emulator)));
     let mut beneath = pixel_machine.clone();

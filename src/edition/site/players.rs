@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use super::super::program_json;
+use super::super::{program_json, programs};
 
 /// The pixels and the exercises, by their names in templates.
 const EXERCISES: &str = include_str!("../web/exercises.json");
@@ -14,14 +14,11 @@ fn book() -> Value {
 /// What the page has of a player, or the name that leads nowhere.
 pub(super) fn data(program: &str, scene: &str, exercises: &[String]) -> Result<Value, String> {
     let book = book();
-    let programs = program_json::programs();
-    let programs: Vec<_> = programs
-        .into_iter()
-        .filter(|it| it["key"] == program)
-        .collect();
-    if programs.is_empty() {
-        return Err(program.to_owned());
-    }
+    let known = programs::all().iter().find(|it| it.key == program);
+    let known = known.ok_or(program)?;
+    let readings = known.readings();
+    let programs = readings.iter().map(|it| program_json::object(known, it));
+    let programs: Vec<_> = programs.collect();
     let scene = book["scenes"].get(scene).ok_or(scene)?;
     let exercise = |key: &String| {
         let it = book["exercises"].get(key).ok_or(key)?;

@@ -38,6 +38,7 @@ mod choices;
 mod counting;
 mod defines;
 mod entries;
+mod fixed_color;
 mod lists;
 mod loops;
 mod marked;
@@ -60,7 +61,7 @@ use crate::error::{Error, Result};
 use crate::gl::{Format, GlMachine, Texels, largest_storage};
 use crate::papers::lindholm_2015 as paper;
 use crate::papers::stage;
-use crate::scene::{Scene, Shading};
+use crate::scene::Scene;
 use crate::steps::{Amendment, Listing, Machine, Reading, Reason, Resources, Variables, run};
 
 struct ABuffer {
@@ -117,7 +118,7 @@ impl ABuffer {
     /// Checks that records may do without ids and without colours over 1.
     fn expect_fixed_fits(&self, machine: &GlMachine<'_>, scene: &Scene) -> Result<()> {
         if self.options.color != RecordColor::Fixed
-            || self.in_order(machine) && scene.volumes.is_empty() && is_from_0_to_1(scene)
+            || self.in_order(machine) && scene.volumes.is_empty() && fixed_color::holds(scene)
         {
             return Ok(());
         }
@@ -385,18 +386,6 @@ impl ABuffer {
             _ => all,
         }
     }
-}
-
-/// Whether every colour of a scene's transparent surfaces is from 0 to 1.
-fn is_from_0_to_1(scene: &Scene) -> bool {
-    let is_one = |channel: f32| (0.0..=1.0).contains(&channel);
-    let mut meshes = scene.meshes.iter().filter(|mesh| !mesh.opaque);
-    meshes.all(|mesh| {
-        let mut colors = mesh.vertices.iter().map(|vertex| vertex.color);
-        mesh.shading != Shading::Slice
-            && mesh.inside.into_iter().all(is_one)
-            && colors.all(|color| color.to_array().into_iter().all(is_one))
-    })
 }
 
 /// The smallest format of colours in which a scene's surfaces stay exact: for A-buffers whose fill is automatic.

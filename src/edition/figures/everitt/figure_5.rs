@@ -4,8 +4,8 @@ use crate::error::Result;
 use crate::image::Image;
 use crate::low_level::edition::figures::{Drawn, Figure, Studio};
 use crate::methods::Method;
-use crate::methods::invariance::{Verdict, perspective_soup, run_experiment};
-use crate::methods::options::{DepthSource, Experiment};
+use crate::methods::invariance::{SOURCES, Verdict, perspective_soup, run_experiment};
+use crate::methods::options::Experiment;
 use crate::scene::Scene;
 use crate::steps::Format;
 
@@ -16,24 +16,6 @@ pub(super) const FIGURE: Figure = Figure {
     make,
 };
 
-/// How the stored depth is made, and how the depth that is compared with it.
-const SOURCES: [(&str, DepthSource, DepthSource); 3] = [
-    (
-        "window z : window z",
-        DepthSource::WindowZ,
-        DepthSource::WindowZ,
-    ),
-    (
-        "window z : r/q",
-        DepthSource::WindowZ,
-        DepthSource::Quotient,
-    ),
-    (
-        "depth replace : r/q",
-        DepthSource::Quotient,
-        DepthSource::Quotient,
-    ),
-];
 const RATIOS: [f64; 3] = [10.0, 100.0, 1000.0];
 const SIZE: [u32; 2] = [192, 144];
 
