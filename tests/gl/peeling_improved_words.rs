@@ -86,7 +86,9 @@ const CHANGES: [(&str, DepthPeelingOptions, &[Amendment]); 5] = [
         )],
     ),
     (
-        "the count of the last layer forgotten",
+        // The count is read all the same. llvmpipe empties a query that begins again without waiting for the threads that
+        // still count for it, and a count that nobody read has been seen to come back in the next one.
+        "the count of the first layer forgotten",
         DepthPeelingOptions {
             maximum_number_of_peels: 4,
             ..LATE
@@ -96,10 +98,10 @@ const CHANGES: [(&str, DepthPeelingOptions, &[Amendment]); 5] = [
             steps! {
                 drawTransparentObjects();
                 peels = i + 1;
-                if (i > 1) {
+                if (i > 0) {
                     pixels = samples(PIXELS);
                     stop if (pixels == 0) because EmptyLayer;
-                    composited = composited + pixels;
+                    if (i > 1) { composited = composited + pixels; }
                     num_layers = i;
                 }
             },
