@@ -254,7 +254,7 @@ fn pseudocode(
     detail: &mut Detail,
 ) -> Value {
     let named = pseudocode_json::line(line);
-    inner(line, line.head(), named, scope, pseudocode, detail)
+    inner(line, line.to_string(), named, scope, pseudocode, detail)
 }
 
 fn on_lists(

@@ -1,8 +1,10 @@
 //! Running pseudocode on Fragment Lists, one list per pixel.
 
+mod followed;
 mod pixel;
 mod ray;
 
+pub use followed::{ExecutedListLine, ListState};
 use pixel::{Peel, Pixel, orders};
 pub use pixel::{Resolved, Subpass};
 use ray::Ray;
@@ -39,8 +41,24 @@ pub fn run_on_lists(
     array: u32,
     limit: u32,
 ) -> Result<ListRun> {
-    let pixels = lists.iter().map(|list| Pixel::new(list));
-    let run = run_on_pixels(algorithm, amendments, pixels.collect(), array, limit)?;
+    follow_on_lists(algorithm, amendments, lists, array, limit, &mut |_| {})
+}
+
+/// The same, and `follower` is told of every line that is executed: of a loop before each round, of a line that runs another
+/// algorithm before it does, of all others afterwards. Lines at which there is nothing to do are not told.
+///
+/// # Errors
+/// As [`run_on_lists`].
+pub fn follow_on_lists(
+    algorithm: &Pseudocode<ListLine>,
+    amendments: &[Amendment<ListLine>],
+    lists: &[Vec<Fragment>],
+    array: u32,
+    limit: u32,
+    follower: &mut dyn FnMut(&ExecutedListLine<'_>),
+) -> Result<ListRun> {
+    let pixels = lists.iter().map(|list| Pixel::new(list)).collect();
+    let run = run_on_pixels(algorithm, amendments, pixels, (array, limit), follower)?;
     Ok(run.resolved())
 }
 
@@ -60,19 +78,20 @@ pub fn run_on_rays(
         ray: Some(Ray::new(scene)),
         ..Pixel::new(list)
     });
-    let run = run_on_pixels(algorithm, amendments, pixels.collect(), array, limit)?;
+    let (pixels, follower) = (pixels.collect(), &mut |_: &ExecutedListLine<'_>| {});
+    let run = run_on_pixels(algorithm, amendments, pixels, (array, limit), follower)?;
     let rays = run.pixels.iter().filter_map(|pixel| pixel.ray.as_ref());
     let rays = rays.map(|ray| ray.done.clone()).collect();
     Ok((run.resolved(), rays))
 }
 
-fn run_on_pixels<'a>(
+fn run_on_pixels<'a, 'f>(
     algorithm: &Pseudocode<ListLine>,
     amendments: &[Amendment<ListLine>],
     pixels: Vec<Pixel<'a>>,
-    array: u32,
-    limit: u32,
-) -> Result<Run<'a>> {
+    (array, limit): (u32, u32),
+    follower: &'f mut dyn FnMut(&ExecutedListLine<'_>),
+) -> Result<Run<'a, 'f>> {
     if array == 0 {
         return Err(Error::option(
             "array",
@@ -81,6 +100,7 @@ fn run_on_pixels<'a>(
         ));
     }
     let mut run = Run {
+        follower,
         pixels,
         array,
         limit,
@@ -101,7 +121,8 @@ fn run_on_pixels<'a>(
     Ok(run)
 }
 
-struct Run<'a> {
+struct Run<'a, 'f> {
+    follower: &'f mut dyn FnMut(&ExecutedListLine<'_>),
     pixels: Vec<Pixel<'a>>,
     array: u32,
     limit: u32,
@@ -117,7 +138,7 @@ struct Here {
     size: u32,
 }
 
-impl Run<'_> {
+impl Run<'_, '_> {
     fn lines(
         &mut self,
         lines: &'static [ListLine],
@@ -139,18 +160,17 @@ impl Run<'_> {
         here: Here,
     ) -> Result<()> {
         match *line {
-            ListLine::Pixels(body) => self.each_pixel(body, scope, here, |_| true),
-            ListLine::UnresolvedPixels(body) => {
-                self.each_pixel(body, scope, here, |pixel| !pixel.marked)
+            ListLine::Pixels(body) | ListLine::UnresolvedPixels(body) => {
+                self.each_pixel(line, body, scope, here)
             }
-            ListLine::Segments(body) => self.segments(body, scope, here),
+            ListLine::Segments(body) => self.segments(line, body, scope, here),
             ListLine::Fragments(body) => {
                 let pixel = self.pixel(here, line)?;
                 pixel.begin_pass();
                 for &fragment in pixel.list {
                     self.pixel(here, line)?.done.records_read += 1;
                     let fragment = Some(fragment);
-                    self.lines(body, scope, Here { fragment, ..here })?;
+                    self.round(line, body, scope, Here { fragment, ..here })?;
                 }
                 Ok(())
             }
@@ -160,20 +180,22 @@ impl Run<'_> {
                 pixel.done.records_read += pixel.list.len() as u32;
                 let fragments = pixel.sorted();
                 pixel.pass().array = orders(&fragments);
-                self.resolve_each(fragments, body, scope, here)
+                self.resolve_each(fragments, line, body, scope, here)
             }
             ListLine::Elements(body) => {
                 let fragments = self.peel(here, line)?.resolve(Taken::All);
                 self.pixel(here, line)?.pass().array = orders(&fragments);
-                self.resolve_each(fragments, body, scope, here)
+                self.resolve_each(fragments, line, body, scope, here)
             }
-            ListLine::Repeat(body) => self.repeat(body, scope, here),
+            ListLine::Repeat(body) => self.repeat(line, body, scope, here),
             ListLine::If(test, then, otherwise) => {
                 let holds = self.holds(test, here, line)?;
+                self.tell(line, here, Some(holds));
                 self.lines(if holds { then } else { otherwise }, scope, here)
             }
             ListLine::Run(algorithm, its_amendments) => {
                 let pixel = here.pixel.ok_or_else(|| misplaced(line))?;
+                self.tell(line, here, None);
                 self.resolve(pixel, algorithm, its_amendments, here.size)
             }
             ListLine::Until(_) => Err(misplaced(line)),
@@ -190,7 +212,7 @@ impl Run<'_> {
             | ListLine::Note(_)
             | ListLine::ActivateProgram
             | ListLine::SizeOfLocalArray
-            | ListLine::InitializeState => {}
+            | ListLine::InitializeState => return Ok(()),
             // A fragment that is not inserted is skipped.
             ListLine::Skip => {
                 let fragment = here.fragment.ok_or_else(|| misplaced(line))?;
@@ -234,20 +256,44 @@ impl Run<'_> {
             }
             _ => return Err(misplaced(line)),
         }
+        self.tell(line, here, None);
         Ok(())
+    }
+
+    fn tell(&mut self, line: &ListLine, here: Here, holds: Option<bool>) {
+        (self.follower)(&ExecutedListLine {
+            line,
+            pixel: here.pixel,
+            fragment: here.fragment.map(|fragment| fragment.order),
+            size: here.size,
+            holds,
+            pixels: &self.pixels,
+        });
+    }
+
+    /// A round of a loop.
+    fn round(
+        &mut self,
+        line: &ListLine,
+        body: &'static [ListLine],
+        scope: Scope<'_, ListLine>,
+        here: Here,
+    ) -> Result<()> {
+        self.tell(line, here, None);
+        self.lines(body, scope, here)
     }
 
     fn each_pixel(
         &mut self,
+        line: &ListLine,
         body: &'static [ListLine],
         scope: Scope<'_, ListLine>,
         here: Here,
-        among: impl Fn(&Pixel<'_>) -> bool,
     ) -> Result<()> {
         for pixel in 0..self.pixels.len() {
-            if among(&self.pixels[pixel]) {
+            if matches!(line, ListLine::Pixels(_)) || !self.pixels[pixel].marked {
                 let pixel = Some(pixel);
-                self.lines(body, scope, Here { pixel, ..here })?;
+                self.round(line, body, scope, Here { pixel, ..here })?;
             }
         }
         Ok(())
@@ -257,20 +303,22 @@ impl Run<'_> {
     fn resolve_each(
         &mut self,
         fragments: Vec<Fragment>,
+        line: &ListLine,
         body: &'static [ListLine],
         scope: Scope<'_, ListLine>,
         here: Here,
     ) -> Result<()> {
         for fragment in fragments {
-            self.pixel(here, &ListLine::Blend)?.composite(&[fragment]);
+            self.pixel(here, line)?.composite(&[fragment]);
             let fragment = Some(fragment);
-            self.lines(body, scope, Here { fragment, ..here })?;
+            self.round(line, body, scope, Here { fragment, ..here })?;
         }
         Ok(())
     }
 
     fn segments(
         &mut self,
+        line: &ListLine,
         body: &'static [ListLine],
         scope: Scope<'_, ListLine>,
         here: Here,
@@ -288,7 +336,7 @@ impl Run<'_> {
         let segments = std::iter::successors(Some(FIRST_SEGMENT), |i| i.checked_mul(2));
         let array = self.array;
         for size in segments.take_while(|&i| i <= array) {
-            self.lines(body, scope, Here { size, ..here })?;
+            self.round(line, body, scope, Here { size, ..here })?;
         }
         Ok(())
     }
@@ -296,28 +344,32 @@ impl Run<'_> {
     /// The loop's end is its last line.
     fn repeat(
         &mut self,
+        line: &ListLine,
         body: &'static [ListLine],
         scope: Scope<'_, ListLine>,
         here: Here,
     ) -> Result<()> {
         for _ in 0..self.limit {
-            self.peel(here, &ListLine::Repeat(body))?.dropped = false;
+            self.peel(here, line)?.dropped = false;
+            self.tell(line, here, None);
             let mut until = None;
             for met in scope.walk(body) {
                 match met {
                     Met::Statement(line, _) if until.is_some() => return Err(misplaced(line)),
-                    Met::Statement(ListLine::Until(end), _) => until = Some(*end),
+                    Met::Statement(line @ ListLine::Until(end), _) => until = Some((line, *end)),
                     Met::Statement(line, scope) => self.line(line, scope, here)?,
                     Met::Amendment(_) | Met::Line(..) => {}
                 }
             }
-            let end = until.ok_or_else(|| misplaced(&ListLine::Repeat(body)))?;
-            let count = self.pixel(here, &ListLine::Until(end))?.list.len();
-            let peel = self.peel(here, &ListLine::Until(end))?;
-            if match end {
+            let (until, end) = until.ok_or_else(|| misplaced(line))?;
+            let count = self.pixel(here, until)?.list.len();
+            let peel = self.peel(here, until)?;
+            let ends = match end {
                 End::AllResolved => peel.resolved == count,
                 End::NothingDropped => !peel.dropped,
-            } {
+            };
+            self.tell(until, here, Some(ends));
+            if ends {
                 return Ok(());
             }
         }
@@ -368,7 +420,7 @@ impl Run<'_> {
     }
 }
 
-impl<'a> Run<'a> {
+impl<'a> Run<'a, '_> {
     fn resolved(self) -> ListRun {
         ListRun {
             pixels: self.pixels.into_iter().map(|pixel| pixel.done).collect(),

@@ -4,7 +4,7 @@
 //! record what happens to every fragment of its pixels, as tables that a student can follow ([`Record`]). Algorithms in
 //! [pseudocode](crate::steps::pseudo) run on the same lists ([`run_algorithm`]). Algorithms on lists in memory, as
 //! A-buffers have them, run on the lists alone ([`run_on_lists`]), or with rays cast between the fragments
-//! ([`run_on_rays`]).
+//! ([`run_on_rays`]). Both can be followed line by line ([`follow_algorithm`], [`follow_on_lists`]).
 //!
 //! # The model
 //!
@@ -44,11 +44,11 @@ mod surface;
 
 pub use color::Texel;
 pub use lists::{
-    ListRun, RayEvent, RayHappening, RayRun, RayScene, RayVolume, Resolved, Subpass, run_on_lists,
-    run_on_rays,
+    ExecutedListLine, ListRun, ListState, RayEvent, RayHappening, RayRun, RayScene, RayVolume,
+    Resolved, Subpass, follow_on_lists, run_on_lists, run_on_rays,
 };
 pub use machine::Emulator;
-pub use pseudo::{AlgorithmRun, run_algorithm};
+pub use pseudo::{AlgorithmRun, ExecutedLine, follow_algorithm, run_algorithm};
 pub use record::{Draw, Fate, FragmentOutcome, InList, Record, Resolve};
 pub use settings::PixelRay;
 pub use surface::{Group, Surface};

@@ -20,6 +20,33 @@ pub struct AlgorithmRun {
     pub ended: bool,
 }
 
+/// A line that an algorithm has just executed, and what the pixels hold now.
+pub struct ExecutedLine<'a> {
+    /// The line.
+    pub line: &'a Line,
+    /// The pixel, or `None` of a line for all of them.
+    pub pixel: Option<usize>,
+    /// The fragment, by its place in the order of submission.
+    pub fragment: Option<u32>,
+    /// Whether the test of an `if` holds.
+    pub holds: Option<bool>,
+    /// `gChanged`, which the pixels share.
+    pub changed: bool,
+    /// What each pixel has composited so far, as in [`AlgorithmRun`].
+    pub composited: &'a [Vec<u32>],
+    names: &'a [&'static str],
+    values: &'a [Vec<f32>],
+}
+
+impl ExecutedLine<'_> {
+    /// The variables that a pixel has set, in the order in which they were first set.
+    pub fn variables(&self, pixel: usize) -> impl Iterator<Item = (&'static str, f32)> {
+        let all = self.names.iter().zip(&self.values[pixel]);
+        all.map(|(name, value)| (*name, *value))
+            .filter(|(_, value)| !value.is_nan())
+    }
+}
+
 /// Runs an algorithm on pixels with these surfaces. `zNear` is 0; `zOpaque` is the depth of the nearest opaque surface,
 /// or 1 if there is none. The `while` is left after `limit` rounds.
 ///
@@ -31,7 +58,22 @@ pub fn run_algorithm(
     pixels: &[Vec<Surface>],
     limit: u32,
 ) -> Result<AlgorithmRun> {
+    follow_algorithm(algorithm, amendments, pixels, limit, &mut |_| {})
+}
+
+/// The same, and `follower` is told of every line that is executed: of a loop before each round, of all others afterwards.
+///
+/// # Errors
+/// As [`run_algorithm`].
+pub fn follow_algorithm(
+    algorithm: &Pseudocode,
+    amendments: &[Amendment<Line>],
+    pixels: &[Vec<Surface>],
+    limit: u32,
+    follower: &mut dyn FnMut(&ExecutedLine<'_>),
+) -> Result<AlgorithmRun> {
     let mut run = Run {
+        follower,
         pixels,
         names: vec!["zNear", "zOpaque", FRAGMENT],
         values: pixels
@@ -65,6 +107,7 @@ fn opaque_depth(surfaces: &[Surface]) -> f32 {
 }
 
 struct Run<'a> {
+    follower: &'a mut dyn FnMut(&ExecutedLine<'_>),
     pixels: &'a [Vec<Surface>],
     names: Vec<&'static str>,
     /// Per pixel, in the order of the names.
@@ -101,6 +144,7 @@ impl<'a> Run<'a> {
         match *line {
             Line::Pixels(body) => {
                 for pixel in 0..self.pixels.len() {
+                    self.tell(line, Here::Pixel(pixel), None);
                     self.lines(body, scope, Here::Pixel(pixel))?;
                 }
             }
@@ -111,7 +155,9 @@ impl<'a> Run<'a> {
                         if surface.group.is_among(of) {
                             any = true;
                             self.set_of(pixel, FRAGMENT, surface.fragment.depth);
-                            self.lines(body, scope, Here::Fragment(pixel, &surface.fragment))?;
+                            let here = Here::Fragment(pixel, &surface.fragment);
+                            self.tell(line, here, None);
+                            self.lines(body, scope, here)?;
                         }
                     }
                 }
@@ -124,6 +170,7 @@ impl<'a> Run<'a> {
                         break;
                     }
                     self.done.iterations += 1;
+                    self.tell(line, here, None);
                     self.lines(body, scope, here)?;
                 }
             }
@@ -132,16 +179,14 @@ impl<'a> Run<'a> {
                 then,
                 otherwise,
             } => {
-                let branch = if self.holds(test, here)? {
-                    then
-                } else {
-                    otherwise
-                };
-                self.lines(branch, scope, here)?;
+                let holds = self.holds(test, here)?;
+                self.tell(line, here, Some(holds));
+                self.lines(if holds { then } else { otherwise }, scope, here)?;
             }
             Line::Set { variable, value } => {
                 let value = self.value(value, here)?;
                 self.set(variable, value, here);
+                self.tell(line, here, None);
             }
             Line::Swap(a, b) => {
                 for pixel in 0..self.pixels.len() {
@@ -150,15 +195,35 @@ impl<'a> Run<'a> {
                     self.set(a, of_b, here);
                     self.set(b, of_a, here);
                 }
+                self.tell(line, here, None);
             }
             Line::Composite => {
                 if let Here::Fragment(pixel, fragment) = here {
                     self.done.composited[pixel].push(fragment.order);
                 }
+                self.tell(line, here, None);
             }
             Line::Margin(_) => {}
         }
         Ok(())
+    }
+
+    fn tell(&mut self, line: &Line, here: Here<'_>, holds: Option<bool>) {
+        let (pixel, fragment) = match here {
+            Here::Nowhere => (None, None),
+            Here::Pixel(pixel) => (Some(pixel), None),
+            Here::Fragment(pixel, fragment) => (Some(pixel), Some(fragment.order)),
+        };
+        (self.follower)(&ExecutedLine {
+            line,
+            pixel,
+            fragment,
+            holds,
+            changed: self.changed,
+            composited: &self.done.composited,
+            names: &self.names,
+            values: &self.values,
+        });
     }
 
     fn holds(&self, test: Test, here: Here<'_>) -> Result<bool> {

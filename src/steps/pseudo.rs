@@ -180,7 +180,7 @@ impl Printer {
         if let Line::Margin(_) = line {
             return;
         }
-        self.line(indent, line.head(), scope);
+        self.line(indent, line, scope);
         let [body, otherwise] = line.bodies();
         self.lines(body, scope, indent + 1);
         self.otherwise(otherwise, scope, indent);
@@ -224,18 +224,18 @@ impl Printer {
     }
 }
 
-impl Line {
-    /// The statement's own line, without the statements inside of it.
-    pub fn head(&self) -> String {
+/// The statement's own line, without the statements inside of it.
+impl fmt::Display for Line {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
-            Self::Pixels(_) => "for all pixel sample locations do".into(),
-            Self::Fragments { phrase, .. } => format!("for all {phrase} do"),
-            Self::While { flag, .. } => format!("while {flag} = true do"),
-            Self::If { test, .. } => format!("if {test} then"),
-            Self::Set { variable, value } => format!("{variable} ← {value}"),
-            Self::Swap(a, b) => format!("swap({a}, {b})"),
-            Self::Composite => "Composite fragment into color buffer".into(),
-            Self::Margin(_) => String::new(),
+            Self::Pixels(_) => f.write_str("for all pixel sample locations do"),
+            Self::Fragments { phrase, .. } => write!(f, "for all {phrase} do"),
+            Self::While { flag, .. } => write!(f, "while {flag} = true do"),
+            Self::If { test, .. } => write!(f, "if {test} then"),
+            Self::Set { variable, value } => write!(f, "{variable} ← {value}"),
+            Self::Swap(a, b) => write!(f, "swap({a}, {b})"),
+            Self::Composite => f.write_str("Composite fragment into color buffer"),
+            Self::Margin(_) => Ok(()),
         }
     }
 }

@@ -64,12 +64,18 @@ fn difference(
 ) -> Option<String> {
     let asked = case(pixel, variables(program, pixel));
     let answer = node.answer_to(&json!({ "cases": [asked], "detail": true }));
-    let theirs = answer[0].as_array().unwrap();
+    let theirs = answer[0].as_array().unwrap().iter();
+    let theirs: Vec<_> = theirs
+        .map(|said| said.as_str().unwrap().to_owned())
+        .collect();
     let ours = emulate(program, reading, pixel, None, true).said;
+    parted("call", &ours, &theirs)
+}
+
+/// The first moment at which the machines say different things. `what` is what they say something about.
+pub(crate) fn parted(what: &str, ours: &[String], theirs: &[String]) -> Option<String> {
     let at = |number: usize| {
-        let theirs = theirs.get(number).and_then(Value::as_str);
-        let ours = ours.get(number).map(String::as_str);
-        [ours, theirs].map(|said| said.unwrap_or("nothing").to_owned())
+        [ours, theirs].map(|said| said.get(number).map_or("nothing", String::as_str))
     };
     let mut numbers = 0..ours.len().max(theirs.len());
     let number = numbers.find(|&number| {
@@ -78,16 +84,19 @@ fn difference(
     })?;
     let [ours, theirs] = at(number);
     Some(format!(
-        "after call {number}\n  the emulated pixel: {ours}\n  JavaScript:         {theirs}"
+        "after {what} {number}\n  the emulated pixel: {ours}\n  JavaScript:         {theirs}"
     ))
 }
 
 /// The difference on as few surfaces as show one, with these surfaces.
-fn shrunk(node: &mut Node, program: &Program, reading: Reading, pixel: &Pixel) -> Option<String> {
-    let found = difference(node, program, reading, pixel)?;
+pub(crate) fn shrunk(
+    pixel: &Pixel,
+    difference: &mut impl FnMut(&Pixel) -> Option<String>,
+) -> Option<String> {
+    let found = difference(pixel)?;
     for place in 0..pixel.len() {
         let smaller = cases::without(pixel, place);
-        if let Some(found) = shrunk(node, program, reading, &smaller) {
+        if let Some(found) = shrunk(&smaller, difference) {
             return Some(found);
         }
     }
@@ -103,7 +112,9 @@ pub(crate) fn first_difference(
 ) -> Option<String> {
     // The calls' words, too.
     for pixel in pixels.iter().take(20) {
-        if let Some(found) = shrunk(node, program, reading, pixel) {
+        if let Some(found) = shrunk(pixel, &mut |pixel| {
+            difference(node, program, reading, pixel)
+        }) {
             return Some(found);
         }
     }
@@ -118,7 +129,8 @@ pub(crate) fn first_difference(
         for ((pixel, ours), theirs) in pixels.iter().zip(ours).zip(theirs.as_array().unwrap()) {
             let differs = theirs[0] != ours.digest[0] || theirs[1] != ours.digest[1];
             if differs {
-                let found = shrunk(node, program, reading, pixel);
+                let mut differ = |pixel: &Pixel| difference(node, program, reading, pixel);
+                let found = shrunk(pixel, &mut differ);
                 return Some(found.unwrap_or_else(|| format!("{pixel:#?}: digests differ")));
             }
             let composited = transparent(&theirs[2], pixel);

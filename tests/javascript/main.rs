@@ -14,6 +14,7 @@ mod digest;
 mod dragged;
 mod emulated;
 mod exact;
+mod followed;
 mod lines;
 mod node;
 mod pseudocode;

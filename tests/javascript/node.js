@@ -6,7 +6,8 @@
 // {"words": [[call, argument]...]}  what may stand there
 // {"cases": [...], "detail"}   runs it on each case, and answers with a digest of each, or with every moment in words
 //
-// {"runs": [...]}              runs it on each case, and answers with what is left of each at its end
+// {"runs": [...], "detail"}    runs pseudocode on each case, and answers with what is left of each at its end and a digest of
+//                              every line that is executed, or every line in words
 //
 // A case is {"surfaces": [[depth, r, g, b, a, group]...], "options": {...}}.
 "use strict";
@@ -86,6 +87,57 @@ function listing(digest, run, said) {
   }
 }
 
+/** A line of pseudocode on fragments, and the pixel's variables but for those that limit the run. */
+function line(digest, { variables, composited }, limits) {
+  for (const name of Object.keys(variables).sort()) {
+    if (name in limits) continue;
+    digest.text(name);
+    digest.add(float(variables[name]));
+  }
+  digest.add(composited ? composited.length : 0);
+}
+
+/** A line of pseudocode on lists, and what the pixel holds. Every id is the largest word, and none yet the one before. */
+function listLine(digest, { size, lists }) {
+  const { buffer, min, complexity, stencil, marked, composited, times, records_read, slots } = lists;
+  const id = (number) => (number === Infinity ? -1 : number < 0 ? -2 : number);
+  digest.add(size);
+  if (buffer) for (const number of buffer) digest.add(number);
+  if (min) {
+    digest.add(float(min[0]));
+    digest.add(id(min[1]));
+  }
+  for (const word of [complexity, stencil, marked ? 1 : 0, composited.length, times, records_read, ...slots]) digest.add(word);
+}
+
+/** The words of the line at a path of the program, and two sums over them. */
+function lineAt(program, path) {
+  program.known ??= new Map();
+  if (!program.known.has(path)) {
+    const { text } = path.slice(1).split("/").reduce((inside, name) => inside[name], program);
+    const digest = new Digest();
+    digest.text(text);
+    program.known.set(path, { text, sums: digest.value() });
+  }
+  return program.known.get(path);
+}
+
+/** A run of pseudocode, line by line. The lines that only composite say what: so it is enough to count that. */
+function pseudocode(program, digest, run, limits, said) {
+  let composited = [];
+  for (const event of run.events) {
+    composited = event.composited ?? composited;
+    const { text, sums } = lineAt(program, event.path);
+    if (said) digest.words = [];
+    sums.forEach((word) => digest.add(word));
+    digest.add(event.surface ?? 99);
+    digest.add(event.holds === undefined ? 2 : event.holds ? 1 : 0);
+    if (program.on === "fragments") line(digest, { ...event, composited }, limits);
+    else listLine(digest, event);
+    if (said) said.push(`${text}: ${digest.words.join(" ")}`);
+  }
+}
+
 function end(digest, run, said) {
   if (said) digest.words = [];
   digest.text(run.stopped ?? "");
@@ -108,10 +160,17 @@ const answers = {
     return Object.keys(page).concat(Object.keys(page.onionskin));
   },
   program: (object) => (program = object) && null,
-  runs: (cases) => cases.map((asked) => {
+  runs: (cases, detail) => cases.map((asked) => {
     const { events, ...left } = run(asked);
     const parting = left.parts === null ? null : events[left.parts];
-    return { ...left, events: events.length, parting: parting && { name: parting.call?.name, pass: parting.pass } };
+    const more = { events: events.length, parting: parting && { name: parting.call?.name, pass: parting.pass } };
+    if (program.on !== "calls") {
+      const digest = new Digest();
+      more.said = detail ? [] : null;
+      pseudocode(program, digest, { events }, asked.options?.variables ?? {}, more.said);
+      more.digest = digest.value();
+    }
+    return { ...left, ...more };
   }),
   words: (asked) => asked.map(([call, argument]) => machine.words(call, argument)),
   cases: (cases, detail) => cases.map((asked) => {

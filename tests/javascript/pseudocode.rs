@@ -1,25 +1,85 @@
-//! Every program that is pseudocode, in every reading, on 10,000 random pixels.
+//! Every program that is pseudocode, in every reading, on 10,000 random pixels: each line that is executed, and the end.
 
 use onionskin::low_level::edition::program_json::object;
 use onionskin::low_level::edition::programs::{self, Program};
-use onionskin::low_level::emulator::{Group, Resolved, run_algorithm, run_on_lists};
+use onionskin::low_level::emulator::{
+    ExecutedLine, ExecutedListLine, Group, Resolved, follow_algorithm, follow_on_lists,
+};
 use onionskin::low_level::steps::{Reading, Text};
 use serde_json::{Value, json};
 
 use crate::cases::{self, Pixel};
-use crate::compare::{ROUNDS, SEQUENCES, case, transparent, variables};
+use crate::compare::{ROUNDS, SEQUENCES, case, parted, shrunk, transparent, variables};
 use crate::emulated::{drawn, fragments, over};
+use crate::followed::Followed;
 use crate::node::Node;
 
-/// What is left in JavaScript of the program, which node has.
-fn left(node: &mut Node, program: &Program, pixels: &[Pixel]) -> Vec<Value> {
-    let case = |pixel| case(pixel, variables(program, pixel));
-    let chunks = pixels.chunks(500).flat_map(|pixels| {
-        let asked: Vec<_> = pixels.iter().map(case).collect();
-        let answer = node.answer_to(&json!({ "runs": asked }));
-        answer.as_array().unwrap().clone()
-    });
-    chunks.collect()
+/// Cases that node runs at a time.
+const AT_A_TIME: usize = 500;
+
+/// A run, in either machine.
+struct Ran {
+    digest: Value,
+    /// Every line in words, if they are wanted.
+    said: Value,
+    /// What is left at the end.
+    end: Value,
+}
+
+/// The program on the emulated pixel.
+fn ours(program: &Program, reading: Reading, pixel: &Pixel, detail: bool) -> Ran {
+    let mut followed = Followed::new(detail);
+    let (composited, ended, more) = match &program.text {
+        Text::Pseudocode(algorithm, amendments) => {
+            let surfaces = [drawn(program, pixel)];
+            let follow = &mut |executed: &ExecutedLine<'_>| followed.on_fragments(executed);
+            let amendments = reading.of(amendments);
+            let ran = follow_algorithm(algorithm, &amendments, &surfaces, ROUNDS, follow).unwrap();
+            let more = json!([ran.iterations, ran.geometry_passes]);
+            (ran.composited[0].clone(), ran.ended, more)
+        }
+        Text::Lists(algorithm, amendments) => {
+            let list = [fragments(pixel)];
+            let follow = &mut |executed: &ExecutedListLine<'_>| followed.on_lists(executed);
+            let (amendments, array) = (reading.of(amendments), program.array.unwrap());
+            let ran =
+                follow_on_lists(algorithm, &amendments, &list, array, ROUNDS, follow).unwrap();
+            let resolved = &ran.pixels[0];
+            (resolved.composited.clone(), ran.ended, told(resolved))
+        }
+        Text::Listing(..) => panic!("{} is a listing", program.key),
+    };
+    let image = over(pixel, &composited, behind(pixel));
+    Ran {
+        digest: json!(followed.digest()),
+        said: json!(followed.said),
+        end: json!([null, composited, ended, image, more]),
+    }
+}
+
+/// The same in JavaScript, from what node answers.
+fn theirs(program: &Program, pixel: &Pixel, left: &Value) -> Ran {
+    let image = left["image"].as_array().unwrap().iter();
+    let image: Vec<_> = image
+        .map(|channel| channel.as_f64().unwrap() as f32)
+        .collect();
+    let lists = &left["lists"];
+    let more = match program.text {
+        Text::Pseudocode(..) => json!([left["rounds"], left["passes"]]),
+        _ => json!([
+            lists["times"],
+            lists["records_read"],
+            lists["slots"],
+            lists["passes"]
+        ]),
+    };
+    let composited = transparent(&left["composited"], pixel);
+    let ended = left["stopped"] != "limit";
+    Ran {
+        digest: left["digest"].clone(),
+        said: left["said"].clone(),
+        end: json!([left["error"], composited, ended, image, more]),
+    }
 }
 
 /// What lies behind the transparent surfaces.
@@ -28,71 +88,6 @@ fn behind(pixel: &Pixel) -> [f32; 4] {
     // Of equally near ones the first is seen.
     let nearest = opaque.min_by(|a, b| a.fragment.depth.total_cmp(&b.fragment.depth));
     nearest.map_or([0.0; 4], |it| it.fragment.color.to_array())
-}
-
-fn image(left: &Value) -> Vec<f32> {
-    let image = left["image"].as_array().unwrap().iter();
-    image
-        .map(|channel| channel.as_f64().unwrap() as f32)
-        .collect()
-}
-
-/// Holds what is the same for both kinds of pseudocode against the emulated pixel's.
-fn check_end(what: &str, pixel: &Pixel, left: &Value, composited: &[u32], ended: bool) {
-    assert_eq!(left["error"], Value::Null, "{what}: {pixel:#?}");
-    assert_eq!(
-        transparent(&left["composited"], pixel),
-        composited,
-        "{what}: {pixel:#?}"
-    );
-    assert_eq!(left["stopped"] != "limit", ended, "{what}: {pixel:#?}");
-    let image = image(left);
-    assert_eq!(
-        image,
-        over(pixel, composited, behind(pixel)),
-        "{what}: {pixel:#?}"
-    );
-}
-
-fn check_algorithm(
-    what: &str,
-    program: &Program,
-    reading: Reading,
-    pixels: &[Pixel],
-    left: &[Value],
-) {
-    let Text::Pseudocode(algorithm, amendments) = &program.text else {
-        return;
-    };
-    for (pixel, left) in pixels.iter().zip(left) {
-        let surfaces = [drawn(program, pixel)];
-        let ours = run_algorithm(algorithm, &reading.of(amendments), &surfaces, ROUNDS).unwrap();
-        check_end(what, pixel, left, &ours.composited[0], ours.ended);
-        assert_eq!(left["rounds"], ours.iterations, "{what}: {pixel:#?}");
-        assert_eq!(left["passes"], ours.geometry_passes, "{what}: {pixel:#?}");
-    }
-}
-
-fn check_lists(what: &str, program: &Program, reading: Reading, pixels: &[Pixel], left: &[Value]) {
-    let Text::Lists(algorithm, amendments) = &program.text else {
-        return;
-    };
-    let amendments = reading.of(amendments);
-    let array = program.array.unwrap();
-    for (pixel, left) in pixels.iter().zip(left) {
-        let list = [fragments(pixel)];
-        let ours = run_on_lists(algorithm, &amendments, &list, array, ROUNDS).unwrap();
-        let resolved = &ours.pixels[0];
-        check_end(what, pixel, left, &resolved.composited, ours.ended);
-        let lists = &left["lists"];
-        let theirs = json!([
-            lists["times"],
-            lists["records_read"],
-            lists["slots"],
-            lists["passes"]
-        ]);
-        assert_eq!(theirs, told(resolved), "{what}: {pixel:#?}");
-    }
 }
 
 fn told(resolved: &Resolved) -> Value {
@@ -113,8 +108,63 @@ fn told(resolved: &Resolved) -> Value {
     ])
 }
 
+fn asked(program: &Program, pixel: &Pixel) -> Value {
+    case(pixel, variables(program, pixel))
+}
+
+/// The first line after which the machines differ, in words, or what is left if that differs. Node has the program.
+fn difference(
+    node: &mut Node,
+    program: &Program,
+    reading: Reading,
+    pixel: &Pixel,
+) -> Option<String> {
+    let left = node.answer_to(&json!({ "runs": [asked(program, pixel)], "detail": true }));
+    let ours = ours(program, reading, pixel, true);
+    let theirs = theirs(program, pixel, &left[0]);
+    let said = |ran: &Ran| {
+        let lines = ran.said.as_array().unwrap().iter();
+        lines
+            .map(|line| line.as_str().unwrap().to_owned())
+            .collect::<Vec<_>>()
+    };
+    parted("line", &said(&ours), &said(&theirs)).or_else(|| {
+        let [ours, theirs] = [ours.end, theirs.end];
+        (ours != theirs).then(|| {
+            format!("at the end\n  the emulated pixel: {ours}\n  JavaScript:         {theirs}")
+        })
+    })
+}
+
+/// The first difference between the machines at some pixels, shrunk. Node has the program.
+pub(crate) fn first_difference(
+    node: &mut Node,
+    program: &Program,
+    reading: Reading,
+    pixels: &[Pixel],
+) -> Option<String> {
+    for pixels in pixels.chunks(AT_A_TIME) {
+        let asked: Vec<_> = pixels.iter().map(|pixel| asked(program, pixel)).collect();
+        node.ask(&json!({ "runs": asked }));
+        let ours: Vec<_> = pixels
+            .iter()
+            .map(|pixel| ours(program, reading, pixel, false))
+            .collect();
+        let left = node.answer();
+        for ((pixel, ours), left) in pixels.iter().zip(ours).zip(left.as_array().unwrap()) {
+            let theirs = theirs(program, pixel, left);
+            if (&ours.digest, &ours.end) != (&theirs.digest, &theirs.end) {
+                let mut differ = |pixel: &Pixel| difference(node, program, reading, pixel);
+                let found = shrunk(pixel, &mut differ);
+                return Some(found.unwrap_or_else(|| format!("{pixel:#?}: digests differ")));
+            }
+        }
+    }
+    None
+}
+
 #[test]
-fn every_algorithm_composites_what_it_does_on_the_emulated_pixel() {
+fn every_algorithm_does_line_by_line_what_it_does_on_the_emulated_pixel() {
     let Some(mut node) = Node::start() else {
         return;
     };
@@ -124,15 +174,14 @@ fn every_algorithm_composites_what_it_does_on_the_emulated_pixel() {
             continue;
         }
         for readings in program.readings() {
-            let what = format!("{} {readings:?}", program.key);
             // ppAO's first segment has room for 8.
             let most = if program.array == Some(8) { 20 } else { 8 };
             let pixels = cases::random_pixels_of(seed, SEQUENCES, most);
             node.run(&object(program, &readings));
-            let left = left(&mut node, program, &pixels);
-            check_algorithm(&what, program, readings[0], &pixels, &left);
-            check_lists(&what, program, readings[0], &pixels, &left);
-            println!("{what}: {SEQUENCES} sequences");
+            if let Some(found) = first_difference(&mut node, program, readings[0], &pixels) {
+                panic!("{} {readings:?}: {found}", program.key);
+            }
+            println!("{} {readings:?}: {SEQUENCES} sequences", program.key);
             compared += 1;
         }
     }

@@ -86,7 +86,9 @@ fn a_spelling_says_what_its_statement_does() {
                     &[],
                 )
             }),
-            Text::Pseudocode(algorithm, _) => spellings(algorithm.lines, &|line| line[0].head()),
+            Text::Pseudocode(algorithm, _) => {
+                spellings(algorithm.lines, &|line| line[0].to_string())
+            }
             Text::Lists(algorithm, _) => spellings(algorithm.lines, &|line| line[0].to_string()),
         };
         spelt += differing.len();
