@@ -11,6 +11,8 @@ use crate::gl::network::odd_even_merge;
 /// against 59 ms (random triangles); 100 against 543, 221 against 238 ms (the molecule); 256 against 63, 236 against
 /// 151 ms (16 quads); 4096 against 543, 1483 against 541 ms (64 quads).
 ///
+/// A network is also long to compile, so it has to save more than that ([`network_pays`]).
+///
 /// ppDP alone inserts into a short array. With the loop written out, that was always quicker: by 6 % on the mesh of the
 /// bench, and by 31 % on 16 quads.
 pub(super) fn inserts(options: &ABufferOptions, counts: &[u32], layers: u32) -> bool {
@@ -19,9 +21,32 @@ pub(super) fn inserts(options: &ABufferOptions, counts: &[u32], layers: u32) -> 
         ArraySort::Network => false,
         ArraySort::Automatic => {
             let written_out = options.pp_dp && !options.pp_ao;
-            !written_out && mean_square(counts) <= pairs(options, layers) as f64
+            !written_out && !network_pays(counts, pairs(options, layers) as u64)
         }
     }
+}
+
+/// Comparisons that take as long as the driver takes to compile one of a network's pairs. On llvmpipe a pair of up to 32
+/// elements took 4 to 5 ms, one of 64 or 128 took 12 to 14 ms (7.4 s and 17 s for all of them), and a comparison 0.35 ns.
+const fn compiling_a_pair(pairs: u64) -> u64 {
+    match pairs {
+        0..=191 => 14_000_000,
+        _ => 40_000_000,
+    }
+}
+
+/// The frames in which a network has to save the time of its compiling. A single frame never would, and a large image is
+/// seldom rendered in so few that a driver's cache does not have the program. A small one would take thousands.
+const FRAMES: u64 = 30;
+
+fn network_pays(counts: &[u32], pairs: u64) -> bool {
+    let (mut squares, mut covered) = (0, 0);
+    for &count in counts {
+        squares += u64::from(count).pow(2);
+        covered += u64::from(count > 0);
+    }
+    let compiling = compiling_a_pair(pairs) * pairs / FRAMES;
+    squares > covered * pairs + compiling
 }
 
 /// The number of elements that a network sorts. Elements beyond the deepest pixel's are empty, and need no comparison. But
@@ -34,16 +59,6 @@ pub(super) fn network_size(options: &ABufferOptions, layers: u32) -> u32 {
 /// The number of pairs that a network compares.
 fn pairs(options: &ABufferOptions, layers: u32) -> usize {
     odd_even_merge(network_size(options, layers) as usize).len()
-}
-
-/// The mean of n² over the pixels that have any fragment, or 0 if there are none.
-fn mean_square(counts: &[u32]) -> f64 {
-    let (mut squares, mut covered) = (0_u64, 0_u64);
-    for &count in counts {
-        squares += u64::from(count).pow(2);
-        covered += u64::from(count > 0);
-    }
-    squares as f64 / covered.max(1) as f64
 }
 
 #[cfg(test)]
@@ -74,9 +89,12 @@ mod tests {
     }
 
     #[test]
-    fn many_fragments_go_through_a_network() {
-        for n in [12, 16, 20, 64, 300] {
-            assert!(!inserts(&automatic(false, false), &[n; 100]), "{n}");
+    fn many_fragments_of_a_large_image_go_through_a_network() {
+        for n in [16, 20, 64, 300] {
+            let counts = |pixels| vec![n; pixels];
+            assert!(!inserts(&automatic(false, false), &counts(1024 * 768)));
+            // The same in small is drawn before a network is compiled.
+            assert!(inserts(&automatic(false, false), &counts(64 * 48)), "{n}");
         }
     }
 
