@@ -1,5 +1,7 @@
 //! The history of a pixel: what it says of fragments is what happens to them, on OpenGL and on the emulated pixel.
 
+use std::cell::RefCell;
+
 use onionskin::inspect::{self, Fate, History};
 use onionskin::low_level::methods::{Technique, Volumes};
 use onionskin::{Context, Method, Renderer, Scene, registry};
@@ -82,10 +84,12 @@ fn fault(history: &History, is_amended: bool) -> Option<String> {
 #[test]
 fn every_method_is_followed_on_random_stacks_and_what_it_loses_adds_up() {
     let context = Context::headless().unwrap();
+    // One renderer for all: most of the time goes to the driver's compiling.
+    let renderer = RefCell::new(Renderer::new(&context, 3, 2).unwrap());
     let outcome = runner(3).run(&stacks(8, false), |stack| {
         let scene = stack.scene();
         let pixels = every_pixel(scene.size);
-        let mut renderer = Renderer::new(&context, scene.size[0], scene.size[1]).unwrap();
+        let mut renderer = renderer.borrow_mut();
         for (method, is_amended) in methods(&context) {
             let histories = inspect::histories(&mut renderer, &scene, &method, &pixels).unwrap();
             for history in &histories {
@@ -266,19 +270,21 @@ fn a_thousand_pixels_of_bundled_scenes_are_the_same_on_both_machines_by_every_me
     let seed = std::env::var("ONIONSKIN_SEED").map_or(17, |seed| seed.parse().unwrap());
     let mut chance = crate::kit::chance::Chance::new(seed);
     let mut inspected = 0;
-    for name in SCENES {
-        let scene = example(name, [64, 48]);
-        let mut renderer = Renderer::new(&context, 64, 48).unwrap();
-        for (method, is_amended) in methods(&context) {
+    let scenes = SCENES.map(|name| example(name, [64, 48]));
+    // One renderer for all, as above.
+    let mut renderer = Renderer::new(&context, 64, 48).unwrap();
+    for (method, is_amended) in methods(&context) {
+        for scene in &scenes {
             let pixels: Vec<_> = (0..5)
                 .map(|_| [chance.below(64) as u32, chance.below(48) as u32])
                 .collect();
-            let histories = inspect::histories(&mut renderer, &scene, &method, &pixels).unwrap();
+            let histories = inspect::histories(&mut renderer, scene, &method, &pixels).unwrap();
             for history in &histories {
                 assert_eq!(
                     fault(history, is_amended),
                     None,
-                    "{name} by {method} at {:?}",
+                    "{} by {method} at {:?}",
+                    scene.name,
                     history.pixel
                 );
             }
@@ -297,26 +303,28 @@ fn rays_through_the_volumes_of_bundled_scenes_are_the_same_on_both_machines() {
     let seed = std::env::var("ONIONSKIN_SEED").map_or(18, |seed| seed.parse().unwrap());
     let mut chance = crate::kit::chance::Chance::new(seed);
     let (mut cast, mut surfaces) = (0, 0);
-    for (number, name) in SCENES.into_iter().enumerate() {
-        let scene = example(name, [64, 48]);
-        let renderer = Renderer::new(&context, 64, 48).unwrap();
-        let mut renderer = match number {
-            0 => renderer.with_inverse_w(),
-            _ => renderer,
-        };
-        for (method, is_amended) in
-            methods(&context).filter(|(it, _)| it.entry().volumes == Volumes::Rays)
-        {
+    let scenes = SCENES.map(|name| example(name, [64, 48]));
+    let renderer = || Renderer::new(&context, 64, 48).unwrap();
+    let [mut by_window_depth, mut by_inverse_w] = [renderer(), renderer().with_inverse_w()];
+    for (method, is_amended) in
+        methods(&context).filter(|(it, _)| it.entry().volumes == Volumes::Rays)
+    {
+        for (number, scene) in scenes.iter().enumerate() {
+            let renderer = match number {
+                0 => &mut by_inverse_w,
+                _ => &mut by_window_depth,
+            };
             let pixels: Vec<_> = (0..3)
                 .map(|_| [10 + chance.below(44) as u32, 8 + chance.below(32) as u32])
                 .collect();
-            let histories = inspect::histories(&mut renderer, &scene, &method, &pixels).unwrap();
+            let histories = inspect::histories(renderer, scene, &method, &pixels).unwrap();
             for history in &histories {
                 let at = history.pixel;
                 assert_eq!(
                     fault(history, is_amended),
                     None,
-                    "{name} by {method} at {at:?}"
+                    "{} by {method} at {at:?}",
+                    scene.name
                 );
                 let resolves = history
                     .passes
