@@ -4,6 +4,7 @@
 //! and E09 in `gl/invariance.rs`; E11 in `gl/cross_section.rs`.
 
 use crate::kit::bounds::F32;
+use crate::kit::driver::settled;
 use crate::kit::everitt_scenes::{
     VISIBLE, check_stacks, disagreements, example, keeping, near, nearest, peel, render, samples,
     soup_scene,
@@ -22,7 +23,8 @@ pub(crate) fn e01_blending_in_the_order_of_submission_is_wrong_and_peeling_is_ri
         let scene = example(name);
         let exact = render(&context, &scene, Method::Exact);
         let off = |method| {
-            let image = render(&context, &scene, method).image;
+            let frame = render(&context, &scene, method);
+            let image = settled(&context, &frame, &exact);
             Comparison::new(&image, &exact.image, VISIBLE).unwrap()
         };
         let blended = off(Method::Blend);

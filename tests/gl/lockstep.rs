@@ -3,6 +3,7 @@
 //!
 //! `ONIONSKIN_SEED` repeats a run; a failing case shrinks to a short fragment list.
 
+use crate::kit::driver::fixed_depths_are_products;
 use crate::kit::peels;
 use crate::kit::stack;
 use onionskin::low_level::emulator::{Emulator, Group, Surface};
@@ -172,7 +173,7 @@ fn ten_thousand_sequences_by_hybrid_layer_peeling() {
 
 #[test]
 fn ten_thousand_sequences_on_24_bit_depths_as_llvmpipe_samples_them() {
-    if !fixed_depths_are_products() {
+    if !fixed_depths_are_products(&Context::headless().unwrap()) {
         return;
     }
     for which in peels::LOOPS {
@@ -182,7 +183,7 @@ fn ten_thousand_sequences_on_24_bit_depths_as_llvmpipe_samples_them() {
 
 #[test]
 fn ten_thousand_sequences_on_16_bit_depths_as_llvmpipe_samples_them() {
-    if !fixed_depths_are_products() {
+    if !fixed_depths_are_products(&Context::headless().unwrap()) {
         return;
     }
     // Without a stencil there is no coherent layer peeling.
@@ -339,15 +340,4 @@ fn stencil_operations_agree_one_by_one() {
             "one clear and one draw, compared everywhere"
         );
     }
-}
-
-/// What is modelled.
-fn fixed_depths_are_products() -> bool {
-    let context = Context::headless().unwrap();
-    let is_modelled = context.driver().quirks().fixed_depths_are_products;
-    if !is_modelled {
-        let renderer = &context.driver().renderer;
-        println!("skipped: {renderer} is not llvmpipe, whose fixed-point depths are modelled");
-    }
-    is_modelled
 }

@@ -293,6 +293,11 @@ fn an_exr_is_never_encoded() {
 
 #[test]
 fn colours_stored_in_8_bits_are_rounded_there() {
-    let expected = ["64.00", "128.00"].map(String::from).into();
-    assert_eq!(wall("wall.exr", &["--color", "rgba8"]), expected);
+    // Half of 255 lies between two steps, and OpenGL takes either.
+    let expected = |half: &str| ["64.00", half].map(String::from).into();
+    let found = wall("wall.exr", &["--color", "rgba8"]);
+    assert!(
+        [expected("127.00"), expected("128.00")].contains(&found),
+        "{found:?}"
+    );
 }

@@ -2,7 +2,10 @@
 
 #![cfg(target_os = "linux")]
 
+use onionskin::Context;
+
 use crate::kit::cli::{Answer, Desk, SQUARE};
+use crate::kit::driver::is_mesa;
 
 fn render(name: &str, value: &str) -> (Desk, Answer) {
     let desk = Desk::new()
@@ -36,6 +39,9 @@ fn picture_or_blame(name: &str, value: &str) -> bool {
 
 #[test]
 fn a_driver_that_is_not_there_is_named_with_the_variable() {
+    if !is_mesa(&Context::headless().unwrap()) {
+        return;
+    }
     for driver in ["wrong", "swr", "d3d12", "virpipe", "a\u{1b}[31mb"] {
         let (_desk, answer) = render("GALLIUM_DRIVER", driver);
         assert_eq!(answer.code, 2, "{answer}");
@@ -46,6 +52,9 @@ fn a_driver_that_is_not_there_is_named_with_the_variable() {
 
 #[test]
 fn the_doctor_survives_a_driver_that_is_not_there() {
+    if !is_mesa(&Context::headless().unwrap()) {
+        return;
+    }
     for driver in ["wrong", "virpipe"] {
         let answer = Desk::new()
             .with_variable("GALLIUM_DRIVER", driver)
@@ -58,6 +67,9 @@ fn the_doctor_survives_a_driver_that_is_not_there() {
 
 #[test]
 fn a_version_that_a_variable_hides_is_said_to_be_hidden() {
+    if !is_mesa(&Context::headless().unwrap()) {
+        return;
+    }
     for version in ["3.3", "4.2", "3.1"] {
         assert!(
             !picture_or_blame("MESA_GL_VERSION_OVERRIDE", version),
@@ -73,6 +85,9 @@ fn a_version_that_a_variable_hides_is_said_to_be_hidden() {
 
 #[test]
 fn a_shading_language_that_a_variable_hides_is_said_to_be_hidden() {
+    if !is_mesa(&Context::headless().unwrap()) {
+        return;
+    }
     for version in ["130", "330", "420"] {
         assert!(
             !picture_or_blame("MESA_GLSL_VERSION_OVERRIDE", version),

@@ -11,6 +11,7 @@ pub mod changed;
 pub mod classic_cases;
 pub mod cli;
 pub mod diff;
+pub mod driver;
 pub mod edition;
 pub mod emulated;
 pub mod everitt_scenes;
