@@ -275,6 +275,10 @@ pub const RESOURCES: Resources = Resources {
 };
 
 /// The depth of the last fragment that was blended, and in its stencil how many failed.
+///
+/// It is a float, because a depth that is stored as it was compared is what the proof rests on. With 24 bits llvmpipe takes 3
+/// to 5 % less time, but it compares before it rounds: behind a depth that was rounded down there would be room for a nearer
+/// one.
 pub const PROOF_DEPTH: Map = Map::named("proof");
 /// The pixels that failed, side by side in as few rows as they fill: first what lies behind their transparent surfaces, then
 /// the result.
