@@ -138,6 +138,14 @@ struct Here {
     size: u32,
 }
 
+/// A line that is executed again and again, and those inside of it.
+#[derive(Clone, Copy)]
+struct Loop<'s> {
+    line: &'static ListLine,
+    body: &'static [ListLine],
+    scope: Scope<'s, ListLine>,
+}
+
 impl Run<'_, '_> {
     fn lines(
         &mut self,
@@ -159,18 +167,19 @@ impl Run<'_, '_> {
         scope: Scope<'_, ListLine>,
         here: Here,
     ) -> Result<()> {
+        let of = |body| Loop { line, body, scope };
         match *line {
             ListLine::Pixels(body) | ListLine::UnresolvedPixels(body) => {
-                self.each_pixel(line, body, scope, here)
+                self.each_pixel(of(body), here)
             }
-            ListLine::Segments(body) => self.segments(line, body, scope, here),
+            ListLine::Segments(body) => self.segments(of(body), here),
             ListLine::Fragments(body) => {
                 let pixel = self.pixel(here, line)?;
                 pixel.begin_pass();
                 for &fragment in pixel.list {
                     self.pixel(here, line)?.done.records_read += 1;
                     let fragment = Some(fragment);
-                    self.round(line, body, scope, Here { fragment, ..here })?;
+                    self.round(of(body), Here { fragment, ..here })?;
                 }
                 Ok(())
             }
@@ -180,14 +189,14 @@ impl Run<'_, '_> {
                 pixel.done.records_read += pixel.list.len() as u32;
                 let fragments = pixel.sorted();
                 pixel.pass().array = orders(&fragments);
-                self.resolve_each(fragments, line, body, scope, here)
+                self.resolve_each(fragments, of(body), here)
             }
             ListLine::Elements(body) => {
                 let fragments = self.peel(here, line)?.resolve(Taken::All);
                 self.pixel(here, line)?.pass().array = orders(&fragments);
-                self.resolve_each(fragments, line, body, scope, here)
+                self.resolve_each(fragments, of(body), here)
             }
-            ListLine::Repeat(body) => self.repeat(line, body, scope, here),
+            ListLine::Repeat(body) => self.repeat(of(body), here),
             ListLine::If(test, then, otherwise) => {
                 let holds = self.holds(test, here, line)?;
                 self.tell(line, here, Some(holds));
@@ -272,57 +281,32 @@ impl Run<'_, '_> {
     }
 
     /// A round of a loop.
-    fn round(
-        &mut self,
-        line: &ListLine,
-        body: &'static [ListLine],
-        scope: Scope<'_, ListLine>,
-        here: Here,
-    ) -> Result<()> {
-        self.tell(line, here, None);
-        self.lines(body, scope, here)
+    fn round(&mut self, it: Loop<'_>, here: Here) -> Result<()> {
+        self.tell(it.line, here, None);
+        self.lines(it.body, it.scope, here)
     }
 
-    fn each_pixel(
-        &mut self,
-        line: &ListLine,
-        body: &'static [ListLine],
-        scope: Scope<'_, ListLine>,
-        here: Here,
-    ) -> Result<()> {
+    fn each_pixel(&mut self, it: Loop<'_>, here: Here) -> Result<()> {
         for pixel in 0..self.pixels.len() {
-            if matches!(line, ListLine::Pixels(_)) || !self.pixels[pixel].marked {
+            if matches!(it.line, ListLine::Pixels(_)) || !self.pixels[pixel].marked {
                 let pixel = Some(pixel);
-                self.round(line, body, scope, Here { pixel, ..here })?;
+                self.round(it, Here { pixel, ..here })?;
             }
         }
         Ok(())
     }
 
     /// Composites fragments in this order, each by the lines of the body.
-    fn resolve_each(
-        &mut self,
-        fragments: Vec<Fragment>,
-        line: &ListLine,
-        body: &'static [ListLine],
-        scope: Scope<'_, ListLine>,
-        here: Here,
-    ) -> Result<()> {
+    fn resolve_each(&mut self, fragments: Vec<Fragment>, it: Loop<'_>, here: Here) -> Result<()> {
         for fragment in fragments {
-            self.pixel(here, line)?.composite(&[fragment]);
+            self.pixel(here, it.line)?.composite(&[fragment]);
             let fragment = Some(fragment);
-            self.round(line, body, scope, Here { fragment, ..here })?;
+            self.round(it, Here { fragment, ..here })?;
         }
         Ok(())
     }
 
-    fn segments(
-        &mut self,
-        line: &ListLine,
-        body: &'static [ListLine],
-        scope: Scope<'_, ListLine>,
-        here: Here,
-    ) -> Result<()> {
+    fn segments(&mut self, it: Loop<'_>, here: Here) -> Result<()> {
         if self.array < FIRST_SEGMENT {
             return Err(Error::option(
                 "array",
@@ -336,24 +320,18 @@ impl Run<'_, '_> {
         let segments = std::iter::successors(Some(FIRST_SEGMENT), |i| i.checked_mul(2));
         let array = self.array;
         for size in segments.take_while(|&i| i <= array) {
-            self.round(line, body, scope, Here { size, ..here })?;
+            self.round(it, Here { size, ..here })?;
         }
         Ok(())
     }
 
     /// The loop's end is its last line.
-    fn repeat(
-        &mut self,
-        line: &ListLine,
-        body: &'static [ListLine],
-        scope: Scope<'_, ListLine>,
-        here: Here,
-    ) -> Result<()> {
+    fn repeat(&mut self, it: Loop<'_>, here: Here) -> Result<()> {
         for _ in 0..self.limit {
-            self.peel(here, line)?.dropped = false;
-            self.tell(line, here, None);
+            self.peel(here, it.line)?.dropped = false;
+            self.tell(it.line, here, None);
             let mut until = None;
-            for met in scope.walk(body) {
+            for met in it.scope.walk(it.body) {
                 match met {
                     Met::Statement(line, _) if until.is_some() => return Err(misplaced(line)),
                     Met::Statement(line @ ListLine::Until(end), _) => until = Some((line, *end)),
@@ -361,7 +339,7 @@ impl Run<'_, '_> {
                     Met::Amendment(_) | Met::Line(..) => {}
                 }
             }
-            let (until, end) = until.ok_or_else(|| misplaced(line))?;
+            let (until, end) = until.ok_or_else(|| misplaced(it.line))?;
             let count = self.pixel(here, until)?.list.len();
             let peel = self.peel(here, until)?;
             let ends = match end {

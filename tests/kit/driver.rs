@@ -1,6 +1,6 @@
 //! What OpenGL leaves open and tests expect of a driver. On a driver that does otherwise, they say aloud what they skip.
 
-use onionskin::{Context, Frame, Image};
+use onionskin::{Comparison, Context, Frame, Image};
 
 fn told(context: &Context, holds: bool, otherwise: &str) -> bool {
     if !holds {
@@ -61,15 +61,26 @@ pub fn is_mesa(context: &Context) -> bool {
 /// fragments hangs on a rounding: they may lie in either order there.
 pub fn settled(context: &Context, frame: &Frame, exact: &Frame) -> Image {
     let mut image = frame.image.clone();
-    if context.driver().quirks().interpolates_true_corners {
-        return image;
+    if !context.driver().quirks().interpolates_true_corners {
+        let hanging = exact.hanging.as_ref().expect("of an exact frame");
+        settle(&mut image, &exact.image, &hanging.drawn);
     }
-    let hanging = exact.hanging.as_ref().expect("of an exact frame");
-    let pixels = image.pixels.iter_mut().zip(&exact.image.pixels);
-    for ((pixel, exact), hangs) in pixels.zip(&hanging.drawn) {
+    image
+}
+
+fn settle(image: &mut Image, exact: &Image, hanging: &[bool]) {
+    let pixels = image.pixels.iter_mut().zip(&exact.pixels);
+    for ((pixel, exact), hangs) in pixels.zip(hanging) {
         if *hangs {
             *pixel = *exact;
         }
     }
-    image
+}
+
+#[test]
+fn a_wrong_pixel_that_does_not_hang_would_be_noticed() {
+    let [right, mut wrong] = [0.0, 1.0].map(|value| Image::filled(2, 1, [value; 4].into()));
+    settle(&mut wrong, &right, &[true, false]);
+    let off = Comparison::new(&wrong, &right, 0.0).unwrap();
+    assert_eq!((off.over, off.worst), (1, Some([1, 0])));
 }

@@ -23,7 +23,8 @@ pub enum Manager {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum ArraySort {
-    /// The quicker one: insertion if most pixels have few fragments, otherwise a network.
+    /// The quicker one: insertion if most pixels have few fragments, otherwise a network. In a small image a network is not
+    /// worth its compiling, which takes llvmpipe seconds.
     #[default]
     Automatic,
     /// Comparisons that are fixed beforehand, written out with constant indices: Batcher's network, and in ppDP an
