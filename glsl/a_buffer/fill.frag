@@ -23,7 +23,7 @@ layout(std430, binding = 0) writeonly buffer Records {
 };
 
 #if MARKED
-#include "verified/anchor.glsl"
+#include "verified/number.glsl"
 #include "verified/list.glsl"
 #endif
 

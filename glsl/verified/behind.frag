@@ -3,7 +3,7 @@
 // vertex: screen.vert
 
 #include "a_buffer/band.glsl"
-#include "verified/anchor.glsl"
+#include "verified/number.glsl"
 #include "verified/list.glsl"
 
 layout(early_fragment_tests) in;

@@ -1,18 +1,15 @@
 #version 430 core
-// Gives every pixel that failed the proof a list of its own, by number, and marks the tile that it is in.
+// Marks every pixel that failed the proof: a bit for each, in words of 32 pixels of a row.
 // vertex: screen.vert
 // defines: method
 
 layout(early_fragment_tests) in;
 
 layout(std430, binding = 0) buffer Marks {
-    uint lists;      // how many pixels have one
-    uint tiles[];    // row by row from the bottom: whether there is one
+    uint marks[];    // row by row from the bottom
 };
-layout(location = 0) out uint number;
 
 void main() {
-    uvec2 tile = uvec2(gl_FragCoord.xy) / uint(TILE);
-    tiles[tile.y * uint(TILES_ACROSS) + tile.x] = 1u;
-    number = atomicAdd(lists, 1u);
+    uvec2 here = uvec2(gl_FragCoord.xy);
+    atomicOr(marks[here.y * uint(WORDS_ACROSS) + here.x / 32u], 1u << (here.x % 32u));
 }

@@ -3,7 +3,7 @@
 // vertex: screen.vert
 
 #include "a_buffer/band.glsl"
-#include "verified/anchor.glsl"
+#include "verified/number.glsl"
 #include "verified/list.glsl"
 
 layout(binding = 3) uniform sampler2D resolved;

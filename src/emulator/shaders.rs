@@ -75,7 +75,6 @@ const TWINS: &[(&str, Twin)] = &twins! {
     verified / pieces,
     verified / mark,
     verified / behind,
-    verified / count,
     verified / place,
     a_buffer / count,
     a_buffer / begin,
@@ -93,7 +92,6 @@ const TESTED_EARLY: &[&str] = &[
     "a_buffer/fill_ordered",
     "multi_layer/insert",
     "verified/behind",
-    "verified/count",
     "verified/mark",
 ];
 

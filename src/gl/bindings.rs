@@ -7,6 +7,8 @@ use bytemuck::{Pod, Zeroable};
 pub const RECORDS: u32 = 3;
 /// The texture unit of a linked list's links.
 pub const LINKS: u32 = 4;
+/// The texture unit of the numbers of marked pixels.
+pub(super) const NUMBERS: u32 = 2;
 /// The texture unit of the bounds of triangles' pieces.
 pub const PIECES: u32 = 1;
 /// The texture unit of the transfer functions.
@@ -46,7 +48,7 @@ pub(super) const INSIDE: u32 = 3;
 pub(super) const EMPTY: f32 = -3e38;
 
 /// The uniform block that tells shaders which band of the image is rendered.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Pod, Zeroable)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
 #[repr(C)]
 pub struct BandParameters {
     /// The band's first row, from the bottom.
@@ -92,6 +94,7 @@ mod tests {
             ("a_buffer/list.glsl", "records", RECORDS),
             ("a_buffer/list.glsl", "next", LINKS),
             ("verified/pieces.glsl", "pieces", PIECES),
+            ("verified/number.glsl", "numbers", NUMBERS),
             ("common/volume.glsl", "transfer", TRANSFER),
             ("common/volume.glsl", "samples", FIRST_VOLUME),
             ("common/volume.glsl", "Volumes", PLACES_BLOCK),

@@ -1,8 +1,9 @@
 //! What a method makes on the GL machine before its listing runs, and reads from it afterwards: maps, framebuffers,
 //! buffers, volumes, base offsets.
 
-use super::bindings::{BAND_BLOCK, BandParameters};
+use super::bindings::{BAND_BLOCK, BandParameters, NUMBERS as NUMBERS_UNIT};
 use super::machine::GlMachine;
+use super::numbers::Numbers;
 use super::program::Define;
 use super::scan::scan_bytes;
 use super::storage::Texels;
@@ -14,6 +15,7 @@ use crate::steps::{Format, Map, Storage, Target, Workspace};
 /// The block of a band is as long as whole groups of four numbers.
 const BAND_BYTES: u64 = size_of::<BandParameters>().next_multiple_of(16) as u64;
 const BAND: Storage = Storage("parameters");
+const NUMBERS: Storage = Storage("numbers of marked pixels");
 
 impl<'c> GlMachine<'c> {
     /// Makes a map of the image's size, unless it is there in this format.
@@ -168,6 +170,18 @@ impl<'c> GlMachine<'c> {
         self.storages
             .write(gl, BAND, bytemuck::bytes_of(&parameters))?;
         self.storages.bind_uniforms(gl, BAND_BLOCK, BAND)
+    }
+
+    /// Tells shaders the numbers of marked pixels.
+    ///
+    /// # Errors
+    /// If the driver has no room.
+    pub(crate) fn set_numbers(&mut self, numbers: &Numbers) -> Result<()> {
+        self.watch.set(Setting::Numbers(numbers));
+        let bytes = bytemuck::cast_slice(numbers.words());
+        self.allocate_storage(NUMBERS, size_of_val(bytes) as u64, Some(Texels::Rg32Ui))?;
+        self.write_storage(NUMBERS, bytes)?;
+        self.bind_texels(NUMBERS_UNIT, NUMBERS)
     }
 
     /// Uploads the scene's volumes, and lets go of those that were there. Returns the defines that shaders need about

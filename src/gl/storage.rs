@@ -15,6 +15,8 @@ use crate::steps::Storage;
 pub enum Texels {
     /// One 32-bit number each.
     R32Ui,
+    /// Two 32-bit numbers each.
+    Rg32Ui,
     /// Four 32-bit numbers each.
     Rgba32Ui,
     /// Four 32-bit floats each.
@@ -48,6 +50,7 @@ pub fn largest_storage(context: &Context, texels: Texels) -> u64 {
     let limit = |name| u64::try_from(driver.limit(name)).unwrap_or(0);
     let texel = match texels {
         Texels::R32Ui => 4,
+        Texels::Rg32Ui => 8,
         Texels::Rgba32Ui | Texels::Rgba32F => 16,
     };
     // glow addresses the inside of a buffer with 31 bits.
@@ -101,6 +104,7 @@ impl Storages {
             .map(|texels| -> Result<_> {
                 let format = match texels {
                     Texels::R32Ui => glow::R32UI,
+                    Texels::Rg32Ui => glow::RG32UI,
                     Texels::Rgba32Ui => glow::RGBA32UI,
                     Texels::Rgba32F => glow::RGBA32F,
                 };

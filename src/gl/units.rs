@@ -29,10 +29,11 @@ enum Kind {
 type Declared = (Kind, u32, String);
 
 /// What the machine binds and no listing, by the names in the shaders. The tests of `bindings` hold the numbers.
-const BY_THE_MACHINE: [(&str, u32); 9] = [
+const BY_THE_MACHINE: [(&str, u32); 10] = [
     ("records", bindings::RECORDS),
     ("next", bindings::LINKS),
     ("pieces", bindings::PIECES),
+    ("numbers", bindings::NUMBERS),
     ("transfer", bindings::TRANSFER),
     ("samples", bindings::FIRST_VOLUME),
     ("texture_2d", bindings::PLAIN_2D),
@@ -57,7 +58,7 @@ const ELSEWHERE: [(&str, &[&str], &str); 9] = [
     ("lindholm/clear-and-fill", &["opaque"], RAYS),
     (
         "lindholm/fill-for-pp-ao",
-        &["anchor", "opaque"],
+        &["opaque"],
         "the verified painter, which fills lists for the pixels that it marked; and OPAQUE_ENDS_RAYS",
     ),
     ("lindholm/resolve", &["Offsets", "opaque"], OFFSETS),

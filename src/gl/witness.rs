@@ -1,5 +1,6 @@
 //! Somebody who watches a machine at work: told of each call with its line, shown what a pixel holds after it.
 
+use super::numbers::Numbers;
 use crate::error::Result;
 use crate::steps::{Call, CallLine, Format, Held, Map, Target};
 
@@ -56,6 +57,8 @@ pub enum Setting<'s> {
     Screen(Option<[u32; 4]>),
     /// Transparent surfaces are in these pixels only: x, y, width and height.
     Window([u32; 4]),
+    /// Marked pixels have lists of their own, by number.
+    Numbers(&'s Numbers),
     /// A fixed buffer has room for so many records at each pixel.
     Layers(u32),
 }

@@ -45,7 +45,10 @@ impl Witness for Preparations {
 
     /// The order and the window are said again when the frame begins.
     fn set(&mut self, setting: Setting<'_>) {
-        if !matches!(setting, Setting::Order(_) | Setting::Window(_)) {
+        if !matches!(
+            setting,
+            Setting::Order(_) | Setting::Window(_) | Setting::Numbers(_)
+        ) {
             self.0.borrow_mut().extend(Done::set(setting, &[]));
         }
     }
@@ -62,7 +65,7 @@ pub(super) struct Followed {
     pub(super) not_followed: Vec<String>,
     /// The lines since the last pass.
     lines: Vec<Line>,
-    /// Where the pixel's list or number begins among those of all pixels. On the emulated pixel it is 0.
+    /// Where the pixel's list begins among those of all pixels. On the emulated pixel it is 0.
     first: u32,
     /// Whether draws over the screen, bands and parts of the screen are those of maps that have the marked pixels side by
     /// side. The emulated pixel has its list at its own place.
@@ -142,6 +145,11 @@ impl Followed {
     fn set(&mut self, setting: Setting<'_>) {
         if let Setting::Window(window) = setting {
             self.window = window;
+        }
+        if let Setting::Numbers(numbers) = setting {
+            self.number = numbers.number(self.place.pixel);
+            self.in_lists = true;
+            return;
         }
         let setting = match setting {
             Setting::Band(Some(_)) if self.in_lists => Setting::Band(None),
@@ -237,21 +245,17 @@ impl Followed {
         8.0 * channels.fold(0.0, f32::max) + 64.0 * 2.0_f32.powi(-24)
     }
 
-    /// What the emulated pixel holds, with numbers as they run through all pixels of the image: records of lists, marked
-    /// pixels. Where a number begins, OpenGL says by how much the two differ.
+    /// What the emulated pixel holds, with the numbers of records as they run through all pixels of the image. Where a list
+    /// begins, OpenGL says by how much the two differ.
     fn among_all(&mut self, program: &str, mut emulated: Held, gl: &Held) -> Held {
         let number = |held: &Held| match held.colors.first() {
             Some(Texel::Integers([number, ..])) => Some(*number),
             _ => None,
         };
         if let (Some(theirs), Some(ours)) = (number(gl), number(&emulated))
-            && [LISTS_BEGIN, NUMBERED].contains(&program)
+            && program == LISTS_BEGIN
         {
             self.first = theirs.wrapping_sub(ours);
-            if program == NUMBERED {
-                self.number = (gl.stencil != Some(0)).then_some(theirs);
-                self.in_lists = true;
-            }
         }
         if let Some(Texel::Integers([number, ..])) = emulated.colors.first_mut() {
             *number = number.wrapping_add(self.first);
@@ -266,8 +270,6 @@ const RESOLVES: &str = "a_buffer/resolve";
 const LISTS_BEGIN: &str = "a_buffer/begin";
 /// The program that puts what the lists gave in its place.
 const PLACED: &str = "verified/place";
-/// The program that numbers the marked pixels.
-const NUMBERED: &str = "verified/mark";
 
 fn events(fates: &[Fate], program: &str) -> Vec<Event> {
     let nodes = match program {

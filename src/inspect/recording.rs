@@ -16,6 +16,7 @@ use crate::steps::{Call, Format, Machine, Map, Resources, Target, Workspace};
 /// The reason for which triangles in pieces are not followed.
 const IN_PIECES: &str =
     "a triangle is drawn in pieces, and only OpenGL knows which of them has the pixel";
+const NUMBERS: &str = "the emulated pixel has its list at its own place, and no number";
 
 /// A step of a method.
 #[derive(Clone, Debug)]
@@ -70,6 +71,7 @@ impl Done {
             Setting::Screen(screen) => Self::Screen(screen),
             Setting::Window(window) => Self::Screen(Some(window)),
             Setting::Layers(layers) => Self::Layers(layers),
+            Setting::Numbers(_) => return Err(NUMBERS),
         })
     }
 

@@ -91,7 +91,7 @@ pub struct VerifiedCounts {
     pub marked_pixels: u64,
     /// The fragments of these pixels.
     pub list_fragments: u64,
-    /// The triangles that were drawn into the lists, twice: to count fragments, and to fill.
+    /// The triangles that were drawn into the lists.
     pub list_triangles: u64,
     /// The bytes of the lists.
     pub list_bytes: u64,

@@ -7,9 +7,10 @@
 //! 1. The CPU sorts the triangles of all transparent meshes together by their centroids ([`view_order`]), and uploads their
 //!    indices. This is part of every frame, because every frame may have another view.
 //! 2. One pass blends them, and marks in the stencil buffer where their order was wrong.
-//! 3. A pass over the screen numbers the marked pixels, and says in which tiles they lie. If there are none, that is all.
-//! 4. The triangles that touch these tiles are drawn again, in the order of submission, into lists for the marked pixels
-//!    alone: dynamic buffers, resolved with ppAO and ppDP (Lindholm et al. 2015). What comes out is put in its place.
+//! 3. A pass over the screen says which pixels are marked. If none is, that is all.
+//! 4. The CPU numbers them, and counts how many triangles reach each ([`touching`]). These triangles are drawn again, in the
+//!    order of submission, into lists for the marked pixels alone: dynamic buffers, resolved with ppAO and ppDP (Lindholm et
+//!    al. 2015). What comes out is put in its place.
 //!
 //! Triangles that cross planes, such as slices, are drawn [in pieces](pieces). Others that are much longer along the view than
 //! their distance from others have no right order, and then the pixels that they cover are marked.
@@ -18,7 +19,7 @@
 
 mod estimate;
 mod pieces;
-mod tiles;
+mod touching;
 mod view_order;
 
 use super::a_buffer::MarkedLists;
@@ -28,16 +29,15 @@ use super::entry::{EXACT_BUT_NOT_SLICES, Entry, Memory, Ties, Volumes};
 use super::stats::VerifiedCounts;
 use super::technique::{Published, Technique};
 use crate::error::Result;
-use crate::gl::{GlMachine, PIECES, Texels};
+use crate::gl::{GlMachine, Numbers, PIECES, Texels};
 use crate::papers::edition::{
-    BEHIND, BOUNDS, COUNT_MARKED, COUNTS, FAILED, IN_PIECES, MARKS, NOTHING_OPAQUE, PLACE_RESOLVED,
-    PROOF_DEPTH, RESOLVED, RESOURCES, VERIFIED_PAINTER,
+    BEHIND, BOUNDS, FAILED, IN_PIECES, MARKS, NOTHING_OPAQUE, PLACE_RESOLVED, PROOF_DEPTH, RESOLVED,
+    RESOURCES, VERIFIED_PAINTER,
 };
 use crate::scene::Scene;
 use crate::steps::{Machine, Variables, run};
 
 use pieces::Pieces;
-use tiles::{TILE, Tiles};
 use view_order::{Sorted, Triangles};
 
 /// The verified painter, which has no options.
@@ -50,7 +50,6 @@ pub(super) struct Verified {
     triangles: Triangles,
     pieces: Option<Pieces>,
     lists: Option<MarkedLists>,
-    tiles: Tiles,
 }
 
 impl Verified {
@@ -60,7 +59,6 @@ impl Verified {
             triangles: Triangles::default(),
             pieces: None,
             lists: None,
-            tiles: Tiles::default(),
         }
     }
 
@@ -101,10 +99,8 @@ impl Verified {
         };
         machine.set_defines(&[
             ("OPAQUE", u32::from(lists.has_opaque())),
-            ("TILE", TILE),
-            ("TILES_ACROSS", self.tiles.across()),
+            ("WORDS_ACROSS", Numbers::words_across(machine.size())),
         ]);
-        MarkedLists::number(machine)?;
         machine.submit_triangles(&sorted.triangles)?;
         machine.clear_storage(MARKS)?;
         let mut amendments = Vec::new();
@@ -124,16 +120,16 @@ impl Verified {
             ..VerifiedCounts::default()
         };
         if counts.marked_pixels > 0 {
+            let size = machine.size();
             let marks = machine.read_storage(MARKS)?;
-            let tiles = self.tiles.marked(bytemuck::cast_slice(&marks));
-            let touching = self
-                .triangles
-                .touching(&scene.camera, machine.size(), &tiles);
-            counts.list_triangles = touching.len() as u64;
-            machine.submit_triangles(&touching)?;
-            let lengths = count(machine, counts.marked_pixels as usize)?;
-            counts.list_fragments = lengths.iter().copied().map(u64::from).sum();
-            counts.list_bytes = lists.draw(machine, lengths)?;
+            let numbers = Numbers::of(bytemuck::cast_slice(&marks), size);
+            machine.set_numbers(&numbers)?;
+            let touching = self.triangles.touching(&scene.camera, size, &numbers);
+            counts.list_triangles = touching.triangles.len() as u64;
+            machine.submit_triangles(&touching.triangles)?;
+            let drawn = lists.draw(machine, touching.counts)?;
+            counts.list_fragments = drawn.fragments;
+            counts.list_bytes = drawn.bytes;
             run(&PLACE_RESOLVED, &[], Variables::new(), machine)?;
         }
         Ok(Drawn {
@@ -153,8 +149,7 @@ impl Algorithm for Verified {
 
     fn prepare(&mut self, machine: &mut GlMachine<'_>, scene: &Scene) -> Result<()> {
         let mut lists = MarkedLists::new(scene);
-        self.tiles = Tiles::of(machine.size());
-        machine.allocate_storage(MARKS, self.tiles.bytes(), None)?;
+        machine.allocate_storage(MARKS, Numbers::bytes_of_marks(machine.size()), None)?;
         allocate_maps(machine, &[&RESOURCES], self.setup.color, self.setup.depth)?;
         lists.prepare(machine, scene, PROOF_DEPTH)?;
         self.lists = Some(lists);
@@ -170,15 +165,6 @@ impl Algorithm for Verified {
     fn account(&mut self, machine: &mut GlMachine<'_>, _: &mut Drawn) -> Result<()> {
         self.submit(machine)
     }
-}
-
-/// The number of fragments of each list.
-fn count(machine: &mut GlMachine<'_>, lists: usize) -> Result<Vec<u32>> {
-    machine.allocate_storage(COUNTS, 4 * lists as u64, None)?;
-    machine.clear_storage(COUNTS)?;
-    run(&COUNT_MARKED, &[], Variables::new(), machine)?;
-    let counts = machine.read_storage(COUNTS)?;
-    Ok(bytemuck::cast_slice(&counts)[..lists].to_vec())
 }
 
 const ENTRY: Entry = Entry {

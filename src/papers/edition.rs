@@ -36,7 +36,7 @@
 use super::paper::Paper;
 use super::stage::{self, IMAGE_COLOR, OPAQUE_DEPTH};
 use super::vtk;
-use crate::papers::lindholm_2015::{ANCHOR, RESOLVED as RESOLVED_IMAGE};
+use crate::papers::lindholm_2015::RESOLVED as RESOLVED_IMAGE;
 use crate::steps;
 use crate::steps::{
     Amendment, Dialect, Format, Framebuffer, Holds, Kind, Listing, Map, Query, Resources, Shader,
@@ -52,7 +52,6 @@ pub const PAPER: Paper = Paper {
             "verified-painter",
             Text::Listing(VERIFIED_PAINTER, &NOTHING_OPAQUE),
         ),
-        ("count-marked", Text::Listing(COUNT_MARKED, &[])),
         ("place-resolved", Text::Listing(PLACE_RESOLVED, &[])),
         (
             "late-query",
@@ -61,15 +60,10 @@ pub const PAPER: Paper = Paper {
         ("alive", Text::Listing(vtk::ON_THE_FLY, &vtk::ALIVE)),
     ],
     resources: &[
-        &stage::RESOURCES.of(&["verified-painter", "count-marked", "place-resolved"], &[]),
+        &stage::RESOURCES.of(&["verified-painter", "place-resolved"], &[]),
         &Resources {
             storages: &[MARKS],
             ..RESOURCES.of(&["verified-painter"], &[stage::SURFACE, BLENDED, MARKER])
-        },
-        &Resources {
-            made: &[],
-            storages: &[COUNTS],
-            ..RESOURCES.of(&["count-marked"], &[COUNTER])
         },
         &Resources {
             made: &[RESOLVED],
@@ -161,15 +155,15 @@ pub const BLEND_AND_PROVE: Listing = Listing {
     },
 };
 
-/// Every pixel that failed gets a list of its own, by number. The depths have done their work, and are out of the way of
-/// the passes that fill the lists. These draw where the stencil value is not 0.
+/// Notes which pixels failed, for the CPU, which numbers their lists. The depths have done their work, and are out of the way
+/// of the passes that fill the lists. These draw where the stencil value is not 0.
 pub const MARK: Listing = Listing {
-    title: "The pixels that failed, by number",
+    title: "Which pixels failed",
     source: "onionskin",
     dialect: Dialect::Calls,
     steps: steps! {
         edition "a list for each pixel that failed";
-        glBindFramebuffer(MARKED);
+        glBindFramebuffer(UNSEEN);
         glClear(DEPTH_BUFFER_BIT);
         glDepthMask(false);
         glDisable(DEPTH_TEST);
@@ -180,27 +174,6 @@ pub const MARK: Listing = Listing {
         glBeginQuery(FAILED);
         drawScreen();
         glEndQuery(FAILED);
-        glMemoryBarrier();
-    },
-};
-
-/// Counts the fragments of the pixels that have lists.
-pub const COUNT_MARKED: Listing = Listing {
-    title: "How long the lists will be",
-    source: "onionskin",
-    dialect: Dialect::Calls,
-    steps: steps! {
-        edition "exact counts, as for every list here";
-        glBindFramebuffer(UNSEEN);
-        glEnable(DEPTH_TEST);
-        glActiveTexture(2);
-        glBindTexture(ANCHOR);
-        glActiveTexture(5);
-        glBindTexture(OPAQUE_DEPTH);
-        glActiveTexture(0);
-        glBindStorageBuffer(0, COUNTS);
-        glUseProgram(COUNTER);
-        drawTransparentObjects();
         glMemoryBarrier();
     },
 };
@@ -216,7 +189,7 @@ pub const BACKGROUND_BEHIND: Listing = Listing {
     },
 };
 
-/// Where surfaces are opaque, what lies behind each list. Its place is known when all lists have their numbers.
+/// Where surfaces are opaque, what lies behind each list.
 pub const OPAQUE_BEHIND: Listing = Listing {
     title: "What lies behind the transparent surfaces, list by list",
     source: "onionskin",
@@ -224,8 +197,6 @@ pub const OPAQUE_BEHIND: Listing = Listing {
     steps: steps! {
         glBindFramebuffer(UNSEEN);
         glDisable(DEPTH_TEST);
-        glActiveTexture(2);
-        glBindTexture(ANCHOR);
         glActiveTexture(3);
         glBindTexture(BEHIND);
         glActiveTexture(0);
@@ -247,8 +218,6 @@ pub const PLACE_RESOLVED: Listing = Listing {
         glEnable(STENCIL_TEST);
         glDisable(DEPTH_TEST);
         glDepthMask(false);
-        glActiveTexture(2);
-        glBindTexture(ANCHOR);
         glActiveTexture(3);
         glBindTexture(RESOLVED);
         glActiveTexture(0);
@@ -262,15 +231,13 @@ pub const PLACE_RESOLVED: Listing = Listing {
 pub const RESOURCES: Resources = Resources {
     maps: &[
         (PROOF_DEPTH, Holds::Exactly(Format::Depth32FStencil8)),
-        (ANCHOR, Holds::Exactly(Format::R32Ui)),
     ],
     made: &[BEHIND],
     framebuffers: &[
         Framebuffer::new(PROOF, &[IMAGE_COLOR], Some(PROOF_DEPTH)),
-        Framebuffer::new(MARKED, &[ANCHOR], Some(PROOF_DEPTH)),
         Framebuffer::new(UNSEEN, &[], Some(PROOF_DEPTH)),
     ],
-    storages: &[MARKS, COUNTS],
+    storages: &[MARKS],
     ..Resources::NONE
 };
 
@@ -285,21 +252,17 @@ pub const PROOF_DEPTH: Map = Map::named("proof");
 pub const RESOLVED: Map = Map::named("resolved");
 /// The opaque image.
 pub const BEHIND: Map = Map::named("behind");
-/// How many pixels failed, and in which tiles they are.
+/// Which pixels failed: a bit for each, in words of 32 pixels of a row, row by row from the bottom.
 pub const MARKS: Storage = Storage("marks");
-/// How many fragments each of them has.
-pub const COUNTS: Storage = Storage("marked counts");
 /// From where and up to where the pieces of triangles reach.
 pub const BOUNDS: Storage = Storage("bounds of pieces");
 /// The pixels that failed.
 pub const FAILED: Query = Query("failed");
 
 const PROOF: Target = Target("proof");
-const MARKED: Target = Target("marked");
 const UNSEEN: Target = Target("nothing but marks");
 const BLENDED: Shader = Shader("verified/surface");
 const BLENDED_IN_PIECES: Shader = Shader("verified/pieces");
 const MARKER: Shader = Shader("verified/mark");
 const BEHIND_LISTS: Shader = Shader("verified/behind");
-const COUNTER: Shader = Shader("verified/count");
 const PLACED: Shader = Shader("verified/place");

@@ -4,8 +4,8 @@
 use onionskin::low_level::emulator::Emulator;
 use onionskin::low_level::methods::allocate_maps;
 use onionskin::low_level::papers::edition::{
-    BACKGROUND_BEHIND, COUNT_MARKED, FAILED, NOTHING_OPAQUE, OPAQUE_BEHIND, PLACE_RESOLVED,
-    PROOF_DEPTH, RESOLVED, RESOURCES, VERIFIED_PAINTER,
+    BACKGROUND_BEHIND, FAILED, NOTHING_OPAQUE, OPAQUE_BEHIND, PLACE_RESOLVED, PROOF_DEPTH,
+    RESOLVED, RESOURCES, VERIFIED_PAINTER,
 };
 use onionskin::low_level::papers::lindholm_2015 as paper;
 use onionskin::low_level::papers::stage;
@@ -29,7 +29,9 @@ fn emulator(context: &Context, scene: &Scene) -> Emulator {
         depth,
     )
     .unwrap();
-    emulator.allocate(paper::COUNTER, Format::R32Ui).unwrap();
+    for map in [paper::COUNTER, paper::ANCHOR] {
+        emulator.allocate(map, Format::R32Ui).unwrap();
+    }
     emulator.allocate(RESOLVED, color).unwrap();
     let targets = [
         (paper::CLEARED, Some(paper::COUNTER), None),
@@ -93,21 +95,12 @@ fn paint(emulator: &mut Emulator, scene: &Scene) {
     assert!((1000..9000).contains(&failed), "{failed}");
     // Lists are filled in the order of submission.
     emulator.set_order(None);
-    go(emulator, &COUNT_MARKED, &[]);
     let behind = match has_opaque {
         true => OPAQUE_BEHIND,
         false => BACKGROUND_BEHIND,
     };
     go(emulator, &behind, &[]);
-    perform(
-        emulator,
-        &[
-            glActiveTexture(2),
-            glBindTexture(paper::ANCHOR),
-            glActiveTexture(0),
-            glEnable(STENCIL_TEST),
-        ],
-    );
+    perform(emulator, &[glEnable(STENCIL_TEST)]);
     emulator.set_defines(&defines(has_opaque, true));
     go(emulator, &paper::CLEAR_AND_FILL, &[paper::BEGIN_AT_OFFSETS]);
     let by_counter = [paper::BY_COUNTER, paper::NO_STENCIL, paper::MARKED];

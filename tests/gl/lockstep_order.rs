@@ -1,6 +1,7 @@
 //! Surfaces in other orders than that of submission, and only some of them, on the emulated pixel and on OpenGL: the painter's
 //! algorithm, the verified painter's proof with its marks, and coherent layer peeling batch by batch.
 
+use onionskin::low_level::gl::Numbers;
 use onionskin::low_level::methods::begin_batch;
 use onionskin::low_level::papers::carr_2008::coherent::{
     AMENDMENTS, LOOP_A, RESOURCES_A, UP_TO_THE_BATCH_END,
@@ -8,7 +9,6 @@ use onionskin::low_level::papers::carr_2008::coherent::{
 use onionskin::low_level::papers::edition::{
     BLEND_AND_PROVE, FAILED, MARKS, NOTHING_OPAQUE, PROOF_DEPTH, RESOURCES, VERIFIED_PAINTER,
 };
-use onionskin::low_level::papers::lindholm_2015::ANCHOR;
 use onionskin::low_level::papers::stage;
 use onionskin::low_level::steps::{Dialect, Listing, Machine, Reason, Variables, gl::*, run};
 use onionskin::{Camera, Context, Scene, steps};
@@ -145,22 +145,19 @@ fn verified(scene: &Scene, seed: u64) -> Both {
     Both {
         color_bound: 0.0,
         orders: vec![shuffled(scene, seed)],
-        unwatched: vec![ANCHOR],
         ..Both::with(&[&RESOURCES])
     }
     .defining(&[
         ("OPAQUE", u32::from(has_opaque)),
-        ("TILE", 1),
-        ("TILES_ACROSS", scene.size[0]),
+        ("WORDS_ACROSS", Numbers::words_across(scene.size)),
     ])
 }
 
 fn prove(both: &mut LockStep<'_, '_>, scene: &Scene, seed: u64) {
     let order = places(scene, &shuffled(scene, seed));
     both.emulator.set_order(Some(&order));
-    let [width, height] = scene.size.map(u64::from);
-    let tiles = 4 * (1 + width * height);
-    both.gl.allocate_storage(MARKS, tiles, None).unwrap();
+    let bytes = Numbers::bytes_of_marks(scene.size);
+    both.gl.allocate_storage(MARKS, bytes, None).unwrap();
     both.gl.clear_storage(MARKS).unwrap();
     let has_opaque = scene.meshes.iter().any(|mesh| mesh.opaque);
     if has_opaque {
@@ -173,11 +170,12 @@ fn prove(both: &mut LockStep<'_, '_>, scene: &Scene, seed: u64) {
     let failed = both.samples(FAILED).unwrap();
     assert!((1000..9000).contains(&failed), "{failed}");
     let marks = both.gl.read_storage(MARKS).unwrap();
-    let marks: &[u32] = bytemuck::cast_slice(&marks);
-    assert_eq!(u64::from(marks[0]), failed);
+    let numbers = Numbers::of(bytemuck::cast_slice(&marks), scene.size);
+    assert_eq!(u64::from(numbers.count()), failed);
     let stencils = both.emulator.stencils(PROOF_DEPTH).unwrap();
-    for (mark, stencil) in marks[1..].iter().zip(stencils) {
-        assert_eq!(*mark != 0, *stencil != 0);
+    for (pixel, stencil) in (0..).zip(stencils) {
+        let place = [pixel % scene.size[0], pixel / scene.size[0]];
+        assert_eq!(numbers.number(place).is_some(), *stencil != 0);
     }
 }
 

@@ -210,7 +210,7 @@ var onionskin = (() => {
     "ideal/changed": (i) => (i.place.colors[0].color[0] < opaqueDepth(i) ? keep() : null),
     "verified/surface": (i) => (isHidden(i) ? null : keep(straight(i))),
     // It asks for early tests, but as it discards nothing, that makes no difference.
-    "verified/mark": () => keep({ integers: ZERO }),
+    "verified/mark": () => keep(),
     "verified/place": (i) => keep(texel(i, 3)),
   };
 

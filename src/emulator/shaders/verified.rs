@@ -1,7 +1,6 @@
 //! The twins of `glsl/verified/`.
 
 pub(super) mod behind;
-pub(super) mod count;
 mod hidden;
 pub(super) mod mark;
 pub(super) mod pieces;

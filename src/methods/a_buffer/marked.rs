@@ -16,6 +16,14 @@ use crate::papers::edition;
 use crate::scene::Scene;
 use crate::steps::{Machine, Map, Variables, gl, run};
 
+/// What was drawn into lists.
+pub(in crate::low_level::methods) struct DrawnLists {
+    /// All fragments of the lists.
+    pub(in crate::low_level::methods) fragments: u64,
+    /// The bytes of the lists.
+    pub(in crate::low_level::methods) bytes: u64,
+}
+
 /// The lists of marked pixels.
 pub(in crate::low_level::methods) struct MarkedLists(ABuffer);
 
@@ -58,65 +66,61 @@ impl MarkedLists {
         machine.framebuffer_with(paper::FILL, &[], Some(marks))
     }
 
-    /// Numbers lists as if all were in one band, for passes before the lists are made.
-    ///
-    /// # Errors
-    /// If the driver has no room.
-    pub(in crate::low_level::methods) fn number(machine: &mut GlMachine<'_>) -> Result<()> {
-        let [width, rows] = machine.size();
-        machine.set_parameters(BandParameters {
-            first_row: 0,
-            rows,
-            width,
-            layers: 0,
-            capacity: 0,
-            before: 0,
-        })
-    }
-
-    /// Fills the lists, of which number n has `counts[n]` fragments, and resolves each over what lies behind it. Returns
-    /// the bytes of the lists.
+    /// Fills the lists, and resolves each over what lies behind it. `most[n]` is a bound of list n's fragments. Where it was
+    /// too low, the fill has counted how many there are, and everything is done again.
     ///
     /// # Errors
     /// If the driver has no room.
     pub(in crate::low_level::methods) fn draw(
         &mut self,
         machine: &mut GlMachine<'_>,
-        mut counts: Vec<u32>,
-    ) -> Result<u64> {
+        most: Vec<u32>,
+    ) -> Result<DrawnLists> {
+        let mut room = most;
+        loop {
+            let (counts, bytes) = self.draw_with(machine, &room)?;
+            if counts.iter().zip(&room).all(|(count, room)| count <= room) {
+                let fragments = counts.into_iter().map(u64::from).sum();
+                return Ok(DrawnLists { fragments, bytes });
+            }
+            room = counts;
+        }
+    }
+
+    /// The same with room for so many fragments of each list. Returns how many each has, and the bytes of the lists.
+    fn draw_with(&mut self, machine: &mut GlMachine<'_>, room: &[u32]) -> Result<(Vec<u32>, u64)> {
         let width = machine.size()[0];
         let options = self.0.options;
-        // No list: no fragment.
-        counts.resize(counts.len().next_multiple_of(width as usize), 0);
+        // No list: no room.
+        let mut rows_of_room = room.to_vec();
+        rows_of_room.resize(room.len().next_multiple_of(width as usize), 0);
         let budget = Budget {
             bytes: u64::MAX,
             fixed: 0,
             records: largest_storage(machine.context(), Texels::Rgba32Ui) / options.record_bytes(),
             preferred_band: u64::MAX,
         };
-        let bands = bands(&counts, width, &options, budget)?;
-        let bytes = self.allocate_marked(machine, &counts, &bands)?;
-        let rows = (counts.len() as u32) / width;
+        let bands = bands(&rows_of_room, width, &options, budget)?;
+        let (offsets, bytes) = self.allocate_marked(machine, &rows_of_room, &bands)?;
+        let rows = (rows_of_room.len() as u32) / width;
         machine.allocate_rows(paper::COUNTER, Format::R32Ui, rows)?;
         machine.allocate_rows(edition::RESOLVED, Format::Rgba32F, rows)?;
         machine.framebuffer_with(paper::CLEARED, &[paper::COUNTER], None)?;
         machine.framebuffer_with(paper::RESOLVED, &[edition::RESOLVED], None)?;
+        // Which place a list has, all shaders know from the width.
+        machine.set_parameters(BandParameters {
+            rows,
+            width,
+            ..BandParameters::default()
+        })?;
         let behind = match self.has_opaque() {
             true => &edition::OPAQUE_BEHIND,
             false => &edition::BACKGROUND_BEHIND,
         };
         run(behind, &[], Variables::new(), machine)?;
-        for call in [
-            gl::glActiveTexture(2),
-            gl::glBindTexture(paper::ANCHOR),
-            gl::glActiveTexture(0),
-        ] {
-            machine.perform(&call)?;
-        }
         self.0.layers = bands.iter().map(|band| band.layers).max().unwrap_or(0);
-        self.0.inserts = inserts(&options, &counts, self.0.layers);
-        let mut before = 0;
-        for band in bands.iter().filter(|band| band.fragments > 0) {
+        self.0.inserts = inserts(&options, &rows_of_room, self.0.layers);
+        for band in &bands {
             // The Resolve Step of the band before has disabled it.
             machine.perform(&gl::glEnable(gl::STENCIL_TEST))?;
             machine.set_screen(Some([0, band.first_row, width, band.rows]));
@@ -126,23 +130,33 @@ impl MarkedLists {
                 width,
                 layers: band.layers,
                 capacity: band.records(options.manager, width) as u32,
-                // Offsets may have wrapped around; their differences are right all the same.
-                before: before as u32,
+                before: offsets[(band.first_row * width) as usize],
             })?;
             self.0.draw_band(machine, band, &[])?;
-            before += band.fragments;
         }
         machine.set_screen(None);
-        Ok(bytes)
+        // A counter begins where its list does in the band, and has counted on, whether or not there was room.
+        let counters = machine.read_counts(paper::COUNTER)?;
+        let mut counts = vec![0; room.len()];
+        for band in &bands {
+            let first = (band.first_row * width) as usize;
+            let lists = first..room.len().min(first + (band.rows * width) as usize);
+            for list in lists {
+                let begin = offsets[list].wrapping_sub(offsets[first]);
+                counts[list] = counters[list].wrapping_sub(begin);
+            }
+        }
+        Ok((counts, bytes))
     }
 
-    /// Makes the buffers as large as the largest band needs. Returns their bytes.
+    /// Makes the buffers as large as the largest band needs. Returns where each list begins, modulo 2^32, and the buffers'
+    /// bytes.
     fn allocate_marked(
         &self,
         machine: &mut GlMachine<'_>,
-        counts: &[u32],
+        room: &[u32],
         bands: &[Band],
-    ) -> Result<u64> {
+    ) -> Result<(Vec<u32>, u64)> {
         let width = machine.size()[0];
         let options = self.0.options;
         let records = bands.iter().map(|band| band.bytes(&options, width));
@@ -150,9 +164,10 @@ impl MarkedLists {
         machine.allocate_storage(paper::RECORDS, records, Some(Texels::Rgba32Ui))?;
         machine.bind_texels(RECORDS, paper::RECORDS)?;
         let mut next = 0u32;
-        let offsets = counts.iter().map(|&count| {
+        let offsets = room.iter().map(|&room| {
             let offset = next;
-            next = next.wrapping_add(count);
+            // Offsets may wrap around; their differences are right all the same.
+            next = next.wrapping_add(room);
             offset
         });
         let offsets: Vec<u32> = offsets.collect();
@@ -160,9 +175,70 @@ impl MarkedLists {
         machine.allocate_storage(paper::OFFSETS, bytes, None)?;
         machine.write_storage(paper::OFFSETS, bytemuck::cast_slice(&offsets))?;
         // A listing binds these, but dynamic buffers have no use for them.
+        machine.allocate_rows(paper::ANCHOR, Format::R32Ui, 1)?;
         for storage in [paper::NEXT, paper::POOL] {
             machine.allocate_storage(storage, 16, None)?;
         }
-        Ok(records + bytes)
+        Ok((offsets, records + bytes))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gl::{Context, Geometry, Numbers};
+    use crate::methods::allocate_maps::allocate_maps;
+    use crate::papers::edition::{
+        MARKS, NOTHING_OPAQUE, PLACE_RESOLVED, PROOF_DEPTH, RESOURCES, VERIFIED_PAINTER,
+    };
+    use crate::papers::stage;
+
+    /// Quads that lie the wrong way round: the image, and how many fragments the lists have, given room for so many of each.
+    fn drawn(context: &Context, room: u32) -> (Vec<[f32; 4]>, u64) {
+        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/scenes");
+        let mut scene = Scene::load(format!("{folder}/quads.toml")).unwrap();
+        scene.size = [48, 36];
+        scene.meshes.reverse();
+        let mut machine = GlMachine::new(context, scene.size).unwrap();
+        let (color, depth) = (Format::Rgba32F, Format::Depth32FStencil8);
+        allocate_maps(&mut machine, &[&stage::RESOURCES, &RESOURCES], color, depth).unwrap();
+        machine.set_geometry(Geometry::upload(context, &scene, scene.size).unwrap());
+        let mut lists = MarkedLists::new(&scene);
+        lists.prepare(&mut machine, &scene, PROOF_DEPTH).unwrap();
+        machine.begin_frame();
+        let words_across = Numbers::words_across(scene.size);
+        machine.set_defines(&[("OPAQUE", 0), ("WORDS_ACROSS", words_across)]);
+        let bytes = Numbers::bytes_of_marks(scene.size);
+        machine.allocate_storage(MARKS, bytes, None).unwrap();
+        machine.clear_storage(MARKS).unwrap();
+        let none = Variables::new();
+        run(
+            &VERIFIED_PAINTER,
+            &NOTHING_OPAQUE,
+            none.clone(),
+            &mut machine,
+        )
+        .unwrap();
+        let marks = machine.read_storage(MARKS).unwrap();
+        let numbers = Numbers::of(bytemuck::cast_slice(&marks), scene.size);
+        assert!(numbers.count() > 200, "{}", numbers.count());
+        machine.set_numbers(&numbers).unwrap();
+        let room = vec![room; numbers.count() as usize];
+        let drawn = lists.draw(&mut machine, room).unwrap();
+        run(&PLACE_RESOLVED, &[], none, &mut machine).unwrap();
+        (
+            machine.read_colors(stage::IMAGE_COLOR).unwrap(),
+            drawn.fragments,
+        )
+    }
+
+    #[test]
+    fn lists_without_enough_room_are_drawn_again() {
+        let context = Context::headless().unwrap();
+        let [enough, little, none] = [64, 1, 0].map(|room| drawn(&context, room));
+        assert!(enough.1 > 1000, "{}", enough.1);
+        assert!(little == enough);
+        // A list without room for anything is drawn again, too.
+        assert!(none == enough);
     }
 }

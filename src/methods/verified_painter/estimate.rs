@@ -82,8 +82,8 @@ impl Triangles {
 }
 
 /// The whole numbers from 0 on between two numbers, less than `count`. Calls of `ceil` and `floor` would take half of the time.
-fn whole_numbers(low: f32, high: f32, count: i32) -> std::ops::Range<i32> {
-    let low = low.max(0.0);
+pub(super) fn whole_numbers(low: f32, high: f32, count: i32) -> std::ops::Range<i32> {
+    let low = low.max(0.0).min(count as f32);
     let first = low as i32;
     let first = first + i32::from((first as f32) < low);
     let end = match high < 0.0 {
@@ -216,6 +216,8 @@ mod tests {
             (2.0, 2.0),
             (-3.0, -0.5),
             (7.5, 99.0),
+            (f32::NEG_INFINITY, f32::INFINITY),
+            (1e30, f32::INFINITY),
         ] {
             let expected: Vec<i32> = (0..10)
                 .filter(|&number| low <= number as f32 && number as f32 <= high)

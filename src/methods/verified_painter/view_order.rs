@@ -190,16 +190,26 @@ pub(super) fn in_parts<T: Sync, U: Send>(
     items: &[T],
     function: impl Fn(&[T]) -> Vec<U> + Sync,
 ) -> Vec<U> {
+    let mut parts = of_parts(items, function).into_iter();
+    let mut made = parts.next().unwrap_or_default();
+    parts.for_each(|mut part| made.append(&mut part));
+    made
+}
+
+/// What a function makes of each of some parts. The parts are made side by side.
+pub(super) fn of_parts<T: Sync, U: Send>(
+    items: &[T],
+    function: impl Fn(&[T]) -> U + Sync,
+) -> Vec<U> {
     let part = items.len().div_ceil(threads(items.len())).max(1);
     scope(|scope| {
         let mut parts = items.chunks(part);
         let first = parts.next().unwrap_or_default();
         let others = parts.map(|part| scope.spawn(|| function(part)));
         let others: Vec<_> = others.collect();
-        let mut made = function(first);
-        for other in others {
-            made.append(&mut other.join().expect("it does not panic"));
-        }
+        let mut made = vec![function(first)];
+        let others = others.into_iter().map(|other| other.join());
+        made.extend(others.map(|made| made.expect("it does not panic")));
         made
     })
 }
