@@ -36,6 +36,7 @@ mod perform;
 mod place;
 mod pseudo;
 mod record;
+mod scan;
 mod settings;
 mod shaders;
 mod stages;
@@ -50,5 +51,6 @@ pub use lists::{
 pub use machine::Emulator;
 pub use pseudo::{AlgorithmRun, ExecutedLine, follow_algorithm, run_algorithm};
 pub use record::{Draw, Fate, FragmentOutcome, InList, Record, Resolve};
+pub use scan::prefix_scan;
 pub use settings::PixelRay;
 pub use surface::{Group, Surface};

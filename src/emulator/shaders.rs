@@ -1,5 +1,6 @@
 //! The twins of `glsl/`: one file for each fragment shader of a listing, of the same name, whose `main` reads like the
-//! shader's. What shaders include is in `common`, likewise.
+//! shader's. What shaders include is in `common`, likewise. The compute shaders of the prefix scan have twins, too, for all
+//! pixels at a time.
 
 mod a_buffer;
 mod alive;
@@ -17,6 +18,10 @@ mod surface;
 mod under;
 mod verified;
 mod weighted;
+
+pub(super) use a_buffer::scan_gather::main as scan_gather;
+pub(super) use a_buffer::scan_reduce::main as scan_reduce;
+pub(super) use a_buffer::scan_spread::main as scan_spread;
 
 use super::invocation::Twin;
 use super::settings::Settings;

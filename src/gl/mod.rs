@@ -59,6 +59,7 @@ pub use host::Visit;
 pub use machine::{Counts, GlMachine};
 pub use numbers::Numbers;
 pub use quirks::{LoopLimit, Quirks};
+pub(crate) use scan::CHUNK;
 pub use step_times::StepTime;
 pub use storage::{Texels, largest_storage};
 pub use volumes::MOST_VOLUMES;

@@ -17,7 +17,7 @@ use crate::error::Result;
 use crate::steps::Storage;
 
 /// The count of numbers of a level whose sum is a number of the next level.
-const CHUNK: u32 = 64;
+pub(crate) const CHUNK: u32 = 64;
 /// Invocations in a work group of `scan_reduce.comp` and `scan_spread.comp`.
 const GROUP: u32 = 256;
 /// Work group sides of `scan_gather.comp`.

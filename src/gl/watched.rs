@@ -31,6 +31,7 @@ impl GlMachine<'_> {
             program: self.programs.current_name(),
             size: self.size(),
             held: &|pixel| self.held(pixel),
+            counts: &|map| self.read_counts(map),
         };
         let done = witness.performed(call, &seen);
         self.watch.0 = Some(witness);

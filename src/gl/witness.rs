@@ -41,6 +41,8 @@ pub struct Seen<'a> {
     /// The values that a pixel of the bound framebuffer holds. The pixel is in column x from the left and row y from the
     /// bottom.
     pub held: &'a dyn Fn([u32; 2]) -> Held,
+    /// The whole numbers that all pixels of a map hold, row by row from the bottom.
+    pub counts: &'a dyn Fn(Map) -> Result<Vec<u32>>,
 }
 
 /// What a method sets by itself, besides its listing's calls.

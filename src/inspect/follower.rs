@@ -9,10 +9,10 @@ use super::history::{Event, Line, Pass};
 use super::nodes;
 use super::recording::{Done, Place};
 use super::trace;
-use crate::emulator::{Emulator, Fate, Surface};
+use crate::emulator::{Emulator, Fate, Surface, prefix_scan};
 use crate::error::Result;
-use crate::gl::{Seen, Setting, Witness};
-use crate::papers::stage::IMAGE_COLOR;
+use crate::gl::{CHUNK, Seen, Setting, Witness};
+use crate::papers::stage::{COMPLEXITY, IMAGE_COLOR};
 use crate::steps::{Call, CallLine, Format, Held, Map, Objects, Target, Texel};
 
 /// The witness of a method's preparations, which are made on the emulated pixels, too.
@@ -67,6 +67,8 @@ pub(super) struct Followed {
     lines: Vec<Line>,
     /// Where the pixel's list begins among those of all pixels. On the emulated pixel it is 0.
     first: u32,
+    /// The first row that is drawn, from the bottom, and how many are, if not all.
+    band: Option<[u32; 2]>,
     /// Whether draws over the screen, bands and parts of the screen are those of maps that have the marked pixels side by
     /// side. The emulated pixel has its list at its own place.
     in_lists: bool,
@@ -96,6 +98,7 @@ impl Followed {
             not_followed: Vec::new(),
             lines: Vec::new(),
             first: 0,
+            band: None,
             in_lists: false,
             number: None,
             window: [0; 4],
@@ -143,8 +146,10 @@ impl Followed {
     }
 
     fn set(&mut self, setting: Setting<'_>) {
-        if let Setting::Window(window) = setting {
-            self.window = window;
+        match setting {
+            Setting::Window(window) => self.window = window,
+            Setting::Band(band) => self.band = band,
+            _ => {}
         }
         if let Setting::Numbers(numbers) = setting {
             self.number = numbers.number(self.place.pixel);
@@ -197,10 +202,13 @@ impl Followed {
             Some(emulated) if casts_rays => bounds.and(self.rounding_of_rays(emulated)),
             _ => *bounds,
         };
-        let differences = emulated
+        let mut differences = emulated
             .as_ref()
             .map(|emulated| bounds.differences(&program, emulated, &held))
             .unwrap_or_default();
+        if program == LISTS_BEGIN && !self.in_lists && emulated.is_some() {
+            differences.extend(self.wrong_offset(seen));
+        }
         let record = self.emulator.record();
         let drawn = record.draws.last().filter(|_| follows && !over_screen);
         let resolved = record.resolves.get(self.resolves..).unwrap_or_default();
@@ -216,6 +224,27 @@ impl Followed {
             emulated,
             differences,
         });
+    }
+
+    /// Says how the base offset of the pixel's list on OpenGL differs from what the emulated machine's scan makes of the counts.
+    /// A band's offsets begin at its first row.
+    fn wrong_offset(&self, seen: &Seen<'_>) -> Option<String> {
+        let ([x, y], [width, height]) = (self.place.pixel, seen.size);
+        let [first_row, rows] = self.band.unwrap_or([0, height]);
+        let [left, bottom, across, up] = self.window;
+        let begins = (first_row..first_row + rows).contains(&y)
+            && (left..left + across).contains(&x)
+            && (bottom..bottom + up).contains(&y);
+        if !begins {
+            return None;
+        }
+        let counts = (seen.counts)(COMPLEXITY).ok()?;
+        let counts: Vec<f32> = counts.into_iter().map(|count| count as f32).collect();
+        let offsets = prefix_scan(&counts, CHUNK as usize).swap_remove(0);
+        let offset = |x: u32, y: u32| offsets[(y * width + x) as usize];
+        let ours = offset(x, y).wrapping_sub(offset(0, first_row));
+        let theirs = self.first;
+        (ours != theirs).then(|| format!("base offset: OpenGL {theirs}, emulated {ours}"))
     }
 
     /// By how much a ray's light may differ, of which the emulated pixel holds this much.

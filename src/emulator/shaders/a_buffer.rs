@@ -11,5 +11,8 @@ pub(super) mod resolve;
 mod resolve_pixel;
 pub(super) mod resolve_segment;
 pub(super) mod resolve_segment_or_rest;
+pub(super) mod scan_gather;
+pub(super) mod scan_reduce;
+pub(super) mod scan_spread;
 mod segment;
 mod volume_ray;
