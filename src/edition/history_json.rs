@@ -5,6 +5,8 @@
 //! | --- | --- |
 //! | `scene`, `method`, `chosen` | names; `chosen` is the method that `auto` chose, or null |
 //! | `size`, `pixel` | the image's width and height; column from the left and row from the top |
+//! | `by_distance` | whether depths are distances from the eye along the view direction (`--inverse-w`), null where infinite |
+//! | `of_slices` | whether volumes are drawn as slices, and `exact` is the exact image of these |
 //! | `fragments` | every fragment in the order of submission |
 //! | `passes` | every draw of the method |
 //! | `exact`, `composited` | the layers, nearest first, in the exact image and in the method's; `composited` may be null |
@@ -14,13 +16,14 @@
 //! | `list` | what resolving the pixel's list took, or null: `records_read`, `composited`, `subpasses`, `slots_reserved`, `slots_used` |
 //! | `marked` | whether the verified painter could not prove the pixel's order; null by other methods |
 //! | `stopped` | why the method's loop ended, or null |
-//! | `agree` | whether OpenGL and the emulated pixel hold the same after every pass that was compared |
+//! | `agree` | whether OpenGL and the emulated pixel hold the same after every pass that was compared; null if none was |
 //! | `not_followed` | steps that the emulated pixel could not follow |
 //!
 //! A fragment has `mesh`, `triangle`, `opaque`, `depth` (in f64), `stored_depth` (OpenGL's), `color` (straight alpha), `pass`
 //! (the last one, counted from 0, in which it passed every test, or null), `exact_weight` and `weight` (the
 //! part of its colour that is in the exact image, and in the method's, or null), and `fate`: an object with `is` (composited, wrong, tied, lost, mixed, hidden, opaque or unknown), and `layer` or `with` as far as it
-//! has them. Layers are counted from 0. A pass has `program`, `over_screen`, `lines`, `events`, `resolve` (null, or the `size` of the Local
+//! has them. A lost one has a `loss`: no_room (its list was full), dropped (the Local Array was), ended (the loop ended before it
+//! was peeled, see `stopped`), never_drawn, or replaced (drawn, but others took its place). Layers are counted from 0. A pass has `program`, `over_screen`, `lines`, `events`, `resolve` (null, or the `size` of the Local
 //! Array and the `subpasses` through the pixel's list, each with the fragments that it `skipped` and `dropped`, those that its
 //! `array` held, and those that it `composited`; with volumes the `ray`, else null), `held` and `emulated` (`depth`,
 //! `stencil`, `colors`, each null where there is none), and `differences` in words. A line has `title`, `source`, `text`, `call`
@@ -34,7 +37,7 @@
 use crate::emulator::{InList, RayEvent, RayHappening, Resolve};
 use crate::fragment::Source;
 use crate::inspect::{
-    Composite, Event, Fate, FragmentHistory, History, Line, Pass, RaySegment, name,
+    Composite, Event, Fate, FragmentHistory, History, Line, Loss, Pass, RaySegment, name,
 };
 use crate::steps::{Held, Origin, Texel};
 use serde_json::{Value, json};
@@ -58,6 +61,8 @@ pub fn object(history: &History) -> Value {
         "chosen": history.chosen,
         "size": history.size,
         "pixel": history.pixel,
+        "by_distance": history.by_distance,
+        "of_slices": history.of_slices,
         "fragments": fragments,
         "passes": passes,
         "ray": history.ray.iter().map(segment).collect::<Vec<_>>(),
@@ -75,7 +80,7 @@ pub fn object(history: &History) -> Value {
         })),
         "marked": history.marked,
         "stopped": history.stopped.map(|reason| reason.to_string()),
-        "agree": history.differences().next().is_none(),
+        "agree": history.is_compared().then(|| history.differences().next().is_none()),
         "not_followed": history.not_followed,
     })
 }
@@ -92,6 +97,7 @@ fn fragment(fragment: &FragmentHistory) -> Value {
         "exact_weight": fragment.exact_weight,
         "weight": fragment.weight,
         "fate": fate(&fragment.fate),
+        "loss": fragment.loss.map(Loss::name),
     })
 }
 

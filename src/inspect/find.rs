@@ -1,6 +1,8 @@
 //! Finding a pixel that is worth looking at.
 
 use std::cell::RefCell;
+use std::cmp::Reverse;
+use std::collections::HashSet;
 use std::fmt;
 use std::rc::Rc;
 
@@ -40,8 +42,8 @@ words! { Where, "place",
 /// The number of fragments in memory at a time, which take 64 MiB.
 const AT_A_TIME: u32 = 2 << 20;
 
-/// How many pixels are watched to find one at which something is lost.
-const CANDIDATES: usize = 64;
+/// How many pixels are watched in a frame, to find one at which something is lost.
+const WATCHED: usize = 64;
 
 /// The pixel at which the method's image is farthest from the exact one, if any is. The pixel is column from the left and row
 /// from the top.
@@ -64,19 +66,26 @@ pub fn worst(
 /// # Errors
 /// If the driver fails.
 pub fn deepest(renderer: &mut Renderer<'_>, scene: &Scene) -> Result<Option<[u32; 2]>> {
-    let complexity = renderer.complexity(scene, CountBy::Blending)?;
-    let most = complexity.max();
-    let deepest = (0..)
-        .zip(&complexity.counts)
-        .find(|(_, count)| **count == most);
-    let pixel = |pixel: u32| [pixel % complexity.width, pixel / complexity.width];
-    Ok(deepest
-        .filter(|_| most > 0)
-        .map(|(number, _)| pixel(number)))
+    Ok(deepest_first(renderer, scene)?.into_iter().next())
 }
 
-/// A pixel at which this happens, if there is one: column from the left and row from the top. For [`Where::Lost`], the pixels
-/// that are farthest from the exact image and those with ties are tried.
+/// The pixels that have transparent fragments before the opaque surfaces, those with the most first.
+fn deepest_first(renderer: &mut Renderer<'_>, scene: &Scene) -> Result<Vec<[u32; 2]>> {
+    let complexity = renderer.complexity(scene, CountBy::Blending)?;
+    let counts = (0..).zip(&complexity.counts);
+    let mut pixels: Vec<(u32, u32)> = counts
+        .filter(|(_, count)| **count > 0)
+        .map(|(pixel, count)| (pixel, *count))
+        .collect();
+    pixels.sort_by_key(|(_, count)| Reverse(*count));
+    let width = complexity.width;
+    let places = pixels
+        .iter()
+        .map(|(pixel, _)| [pixel % width, pixel / width]);
+    Ok(places.collect())
+}
+
+/// A pixel at which this happens, if there is one: column from the left and row from the top.
 ///
 /// # Errors
 /// If the method or the driver fails, or the method marks no pixels.
@@ -89,14 +98,37 @@ pub fn find(
     match place {
         Where::Marked => Ok(marked(renderer, scene, method)?.into_iter().next()),
         Where::Tied => Ok(tied(renderer, scene)?.into_iter().next()),
-        Where::Lost => {
-            let mut candidates = farthest(renderer, scene, method)?;
-            candidates.truncate(CANDIDATES);
-            candidates.extend(tied(renderer, scene)?.into_iter().take(CANDIDATES));
-            let histories = histories(renderer, scene, method, &candidates)?;
-            Ok(histories.iter().find(|it| has_lost(it)).map(|it| it.pixel))
+        Where::Lost => lost(renderer, scene, method),
+    }
+}
+
+/// A pixel with a fragment that belongs in the image and is not in it. What the method counts as lost says whether to look. The
+/// pixels that are farthest from the exact image, those with ties, and the deepest ones are looked at in turn, until one of
+/// them has lost something.
+fn lost(
+    renderer: &mut Renderer<'_>,
+    scene: &Scene,
+    method: &dyn Technique,
+) -> Result<Option<[u32; 2]>> {
+    if renderer.render(scene, method)?.stats.lost == Some(0) {
+        return Ok(None);
+    }
+    let kinds = [
+        farthest(renderer, scene, method)?,
+        tied(renderer, scene)?,
+        deepest_first(renderer, scene)?,
+    ];
+    let most = kinds.iter().map(Vec::len).max().unwrap_or(0);
+    let in_turn = (0..most).flat_map(|place| kinds.iter().filter_map(move |kind| kind.get(place)));
+    let mut seen = HashSet::new();
+    let in_turn: Vec<_> = in_turn.copied().filter(|it| seen.insert(*it)).collect();
+    for pixels in in_turn.chunks(WATCHED) {
+        let histories = histories(renderer, scene, method, pixels)?;
+        if let Some(found) = histories.iter().find(|it| has_lost(it)) {
+            return Ok(Some(found.pixel));
         }
     }
+    Ok(None)
 }
 
 fn has_lost(history: &History) -> bool {

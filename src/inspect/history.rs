@@ -1,5 +1,7 @@
 //! A pixel's history, as plain data.
 
+use std::fmt;
+
 use super::composite::Composite;
 use super::fates::Fate;
 use crate::emulator::{FragmentOutcome, InList, Resolve};
@@ -20,6 +22,11 @@ pub struct History {
     pub size: [u32; 2],
     /// The pixel's column from the left and row from the top.
     pub pixel: [u32; 2],
+    /// Whether depths are distances from the eye along the view direction: where 1/w is stored in place of window-space depth.
+    /// What colour maps hold is as it is stored.
+    pub by_distance: bool,
+    /// Whether volumes are drawn as slices. The exact image is that of the slices, then.
+    pub of_slices: bool,
     /// The fragments at the pixel, opaque ones too, in the order of submission. Their numbers, s0, s1 and so on, are their
     /// places in this list.
     pub fragments: Vec<FragmentHistory>,
@@ -87,14 +94,15 @@ pub struct FragmentHistory {
     pub triangle: u32,
     /// Whether it is opaque.
     pub opaque: bool,
-    /// The window-space depth of the point where the ray through the pixel's centre meets the triangle, computed in f64.
+    /// The window-space depth of the point where the ray through the pixel's centre meets the triangle, computed in f64; with
+    /// [`History::by_distance`] its distance from the eye along the view direction.
     pub depth: f64,
-    /// The depth that OpenGL has computed.
+    /// The same as OpenGL has computed it.
     pub stored_depth: f32,
     /// The colour, with straight alpha.
     pub color: Rgba,
     /// The last pass in which it passed every test, counted from 0: the one that peeled, composited or stored it, or `None`
-    /// if there is none.
+    /// if there is none. If it is lost, another fragment may have taken its place in that pass.
     pub pass: Option<usize>,
     /// The part of its colour that is in the exact image of the pixel, 0 to 1, but for what volumes stop.
     pub exact_weight: f64,
@@ -103,6 +111,49 @@ pub struct FragmentHistory {
     pub weight: Option<f64>,
     /// What became of it.
     pub fate: Fate,
+    /// Why it is not in the image, if it is lost and not tied.
+    pub loss: Option<Loss>,
+}
+
+/// Why a fragment is lost that belongs in the image.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Loss {
+    /// The pixel's list had no room for it.
+    NoRoom,
+    /// The Local Array was full, and it was dropped.
+    Dropped,
+    /// The loop ended before it was peeled, for this reason.
+    Ended(Reason),
+    /// No pass has drawn it.
+    NeverDrawn,
+    /// It was drawn, and is not in the image: others took its place.
+    Replaced,
+}
+
+impl Loss {
+    /// The name in JSON.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::NoRoom => "no_room",
+            Self::Dropped => "dropped",
+            Self::Ended(_) => "ended",
+            Self::NeverDrawn => "never_drawn",
+            Self::Replaced => "replaced",
+        }
+    }
+}
+
+impl fmt::Display for Loss {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NoRoom => f.write_str("no room in the list"),
+            Self::Dropped => f.write_str("dropped, because the Local Array was full"),
+            Self::Ended(reason) => write!(f, "not peeled before the loop ended: {reason}"),
+            Self::NeverDrawn => f.write_str("never drawn"),
+            Self::Replaced => f.write_str("drawn, but replaced by others"),
+        }
+    }
 }
 
 /// A draw, with the lines that lead to it.
@@ -123,7 +174,8 @@ pub struct Pass {
     /// What the pixel of the framebuffer holds after the draw, on OpenGL.
     pub held: Held,
     /// What the emulated pixel holds, or `None` if it could not follow. Numbers that run through all pixels, as of lists'
-    /// records, are its own after the pixel's first one on OpenGL.
+    /// records, are its own after the pixel's first one on OpenGL, which is compared with what the emulated machine's prefix
+    /// scan makes of all pixels' counts.
     pub emulated: Option<Held>,
     /// How the two differ, in words.
     pub differences: Vec<String>,
@@ -163,6 +215,11 @@ pub struct Event {
 }
 
 impl History {
+    /// Whether the emulated pixel could follow any pass, so that OpenGL was compared with it.
+    pub fn is_compared(&self) -> bool {
+        self.passes.iter().any(|pass| pass.emulated.is_some())
+    }
+
     /// Every difference between OpenGL and the emulated pixel, with the number of the pass.
     pub fn differences(&self) -> impl Iterator<Item = (usize, &str)> {
         let passes = self.passes.iter().enumerate();

@@ -36,7 +36,7 @@ mod watched;
 pub use composite::{Composite, Layer};
 pub use fates::Fate;
 pub use find::{Where, deepest, find, worst};
-pub use history::{Event, FragmentHistory, History, Line, ListCosts, Pass, RaySegment, name};
+pub use history::{Event, FragmentHistory, History, Line, ListCosts, Loss, Pass, RaySegment, name};
 
 use crate::error::{Error, Result};
 use crate::methods::{Exact, Renderer, Technique};

@@ -16,13 +16,21 @@ use crate::fragment::{Fragment, Rgba};
 use crate::papers::stage::IMAGE_COLOR;
 use crate::steps::Format;
 
-/// The opacity of every fragment for finding places, which 16-bit floats hold exactly. The 1000th layer still has a weight
-/// that 32-bit floats hold, and next layers differ by a sixteenth of it.
-const OPACITY: f32 = 1.0 / 16.0;
+/// The opacity of every one of so many fragments for finding places: a power of two, which 16-bit floats hold exactly.
+///
+/// Methods add up what the layers stop, so what is left for the next one has an error of some 2^-24 a layer, whatever is left.
+/// It must stay a small part of it. With a sixteenth for each, too little is left after a hundred layers. With at most two
+/// over their number, an eighth is left behind the last of them.
+fn opacity(fragments: usize) -> f32 {
+    let halvings = fragments.max(1).ilog2().max(4);
+    0.5_f32.powi(halvings as i32)
+}
 
-/// By how much of itself the weight of a place may be off: some roundings of 2^-24 a layer. It is far less than a sixteenth.
-fn tolerance(layers: i32) -> f64 {
-    f64::from(layers + 8) * 2.0_f64.powi(-20)
+/// By how much of itself the weight of the place behind so many layers may be off, of so many fragments: roundings of 2^-24 a
+/// layer, of what is at least an eighth, and as much again for what a method adds. Next places differ by the opacity, so it is
+/// less than a fourth of that.
+fn tolerance(layers: i32, opacity: f64) -> f64 {
+    (f64::from(layers + 8) * 2.0_f64.powi(-20)).min(opacity / 4.0)
 }
 
 /// The fragments in a method's image, nearest first, each by its number. `None` if they are not composited one by one.
@@ -34,14 +42,15 @@ pub(super) fn composited(
     surfaces: &[Surface],
     done: &[Done],
 ) -> Result<Option<Vec<u32>>> {
-    let weights = weights_with(place, surfaces, done, |_| OPACITY)?;
+    let opacity = opacity(surfaces.len());
+    let weights = weights_with(place, surfaces, done, |_| opacity)?;
     let mut weights: Vec<_> = weights.into_iter().zip(0..).collect();
     weights.retain(|(weight, _)| *weight != 0.0);
     weights.sort_by(|(a, _), (b, _)| b.total_cmp(a));
-    let opacity = f64::from(OPACITY);
+    let opacity = f64::from(opacity);
     let are_places = (0..).zip(&weights).all(|(k, (weight, _))| {
         let expected = opacity * (1.0 - opacity).powi(k);
-        (weight / expected - 1.0).abs() < tolerance(k)
+        (weight / expected - 1.0).abs() < tolerance(k, opacity)
     });
     let numbers = weights.into_iter().map(|(_, number)| number);
     Ok(are_places.then(|| numbers.collect()))

@@ -2,8 +2,10 @@
 
 use std::cell::RefCell;
 
-use onionskin::inspect::{self, Fate, History};
+use onionskin::inspect::{self, Fate, History, Loss, Where};
+use onionskin::low_level::edition::history_json;
 use onionskin::low_level::methods::{Technique, Volumes};
+use onionskin::low_level::steps::Reason;
 use onionskin::{Context, Method, Renderer, Scene, registry};
 use proptest::test_runner::TestCaseError;
 
@@ -54,13 +56,18 @@ fn lost(history: &History) -> usize {
 
 /// Says how a history contradicts itself, OpenGL, or the emulated pixel. What is not amended may composite anything over
 /// anything.
-fn fault(history: &History, is_amended: bool) -> Option<String> {
+fn fault(history: &History, method: &Method, is_amended: bool) -> Option<String> {
     if let Some((pass, difference)) = history.differences().next() {
         return Some(format!("pass {pass}: {difference}"));
     }
     let in_pieces = |step: &&String| step.contains("drawn in pieces");
     if let Some(step) = history.not_followed.iter().find(|step| !in_pieces(step)) {
         return Some(format!("not followed: {step}"));
+    }
+    // Exact methods composite one by one, unless a shader chooses among pieces.
+    let is_exact = is_amended && method.entry().exact && history.not_followed.is_empty();
+    if is_exact && history.composited.is_none() {
+        return Some("what is in the image is not told".into());
     }
     let composited = history.composited.as_ref().filter(|_| is_amended)?;
     let stored = count(history, |fate| matches!(fate, Fate::Composited(_)));
@@ -99,7 +106,7 @@ fn every_method_is_followed_on_random_stacks_and_what_it_loses_adds_up() {
         for (method, is_amended) in methods(&context) {
             let histories = inspect::histories(&mut renderer, &scene, &method, &pixels).unwrap();
             for history in &histories {
-                if let Some(fault) = fault(history, is_amended) {
+                if let Some(fault) = fault(history, &method, is_amended) {
                     let pixel = history.pixel;
                     return Err(TestCaseError::fail(format!(
                         "{method} at {pixel:?}: {fault}"
@@ -122,14 +129,22 @@ fn every_method_is_followed_on_random_stacks_and_what_it_loses_adds_up() {
 const FIGURE_2: [usize; 11] = [0, 4, 3, 5, 6, 10, 9, 7, 2, 1, 8];
 
 fn figure_2() -> Scene {
+    figure_2_among_others([0, 0])
+}
+
+/// Figure 2's pixel in this column and row from the top, to the right of and below pixels without a fragment.
+fn figure_2_among_others([column, row]: [u32; 2]) -> Scene {
     let place = |s| FIGURE_2.iter().position(|&other| other == s).unwrap() as u16;
     let pieces = (0..11).map(|s| Piece {
         level: place(s) * (LEVELS / 11),
         color: [0.5; 4],
     });
+    let width = column + 1;
+    let mut pixels = vec![Vec::new(); (width * (row + 1)) as usize];
+    pixels[(width * row + column) as usize] = pieces.collect();
     Stack {
-        width: 1,
-        pixels: vec![pieces.collect()],
+        width,
+        pixels,
         opaque: None,
     }
     .scene()
@@ -145,7 +160,7 @@ fn the_pixel_of_figure_2_has_the_paper_s_trace() {
     let mut method: Method = "coherent-layer-peeling-a".parse().unwrap();
     method.choose("sort", "submission").unwrap();
     let history = inspect::history(&mut renderer, &scene, &method, [0, 0]).unwrap();
-    assert_eq!(fault(&history, true), None);
+    assert_eq!(fault(&history, &method, true), None);
     let in_pass = |number: usize| {
         let title = format!("Pass {number}:");
         let passes = history.passes.iter();
@@ -206,23 +221,38 @@ fn the_nodes_of_figure_2_s_pixel_say_what_was_merged() {
 
 #[test]
 fn a_shader_with_a_changed_word_is_found_with_its_pass_and_its_line() {
-    const CHANGES: [(&str, &str, [&str; 2]); 3] = [
-        ("depth-peeling", "peel", ["passes == 0.0", "passes == 1.0"]),
+    const CHANGES: [(&str, &str, [&str; 2], &str); 3] = [
+        (
+            "depth-peeling",
+            "peel",
+            ["passes == 0.0", "passes == 1.0"],
+            "drawTransparentObjects()",
+        ),
         // What is near to the bound is left out.
         (
             "layer-peeling",
             "clip/open_open",
             ["() < z", "() + 0.15 < z"],
+            "drawTransparentObjects()",
         ),
-        ("dual-depth-peeling", "dual/peel", ["&& !at_nearest", ""]),
+        (
+            "dual-depth-peeling",
+            "dual/peel",
+            ["&& !at_nearest", ""],
+            "drawTransparentObjects()",
+        ),
     ];
     let context = Context::headless().unwrap();
-    let scene = figure_2();
-    for (method, shader, [word, changed]) in CHANGES {
+    // Figure 2's pixel among others, in which the change makes no difference: they have one fragment.
+    let [column, row] = [5, 3];
+    let mut scene = figure_2_among_others([column, row]);
+    scene.background = [1.0; 3];
+    for (method, shader, [word, changed], drawn) in CHANGES {
         let file = format!("{shader}.frag");
         let text = onionskin::low_level::gl::shader_file(&file).unwrap();
         assert!(text.contains(word), "{file} has no '{word}': {text}");
-        let renderer = Renderer::new(&context, 1, 1).unwrap();
+        let [width, height] = scene.size;
+        let renderer = Renderer::new(&context, width, height).unwrap();
         let text = text.replace(word, changed);
         let mut renderer = renderer.with_shader_file(&file, &text).unwrap();
         let method: Method = method.parse().unwrap();
@@ -234,10 +264,205 @@ fn a_shader_with_a_changed_word_is_found_with_its_pass_and_its_line() {
         let pass = &history.passes[pass];
         let line = pass.lines.last().unwrap();
         println!(
-            "{method}: {} of '{}', {}: {}",
+            "{method} at {pixel:?}: {} of '{}', {}: {}",
             pass.program, line.title, line.source, line.text
         );
+        assert_eq!(pixel, [column, row], "{method}");
         assert_eq!(pass.program, shader);
+        assert_eq!(line.text.trim().trim_end_matches(';'), drawn);
+    }
+}
+
+/// Layers enough that what a method adds up in 32 bits would drown a sixteenth of what is left.
+#[test]
+fn a_pixel_of_two_hundred_layers_is_told_to_the_last() {
+    const LAYERS: u16 = 200;
+    let pieces = (0..LAYERS).map(|number| Piece {
+        // In no order, and none twice: 7 and 200 have no factor in common.
+        level: number * 7 % LAYERS * (LEVELS / LAYERS),
+        color: [0.5, 0.25, 0.75, 0.01],
+    });
+    let stack = Stack {
+        width: 1,
+        pixels: vec![pieces.collect()],
+        opaque: None,
+    };
+    let scene = stack.scene();
+    let context = Context::headless().unwrap();
+    let mut renderer = Renderer::new(&context, 1, 1).unwrap();
+    for name in [
+        "depth-peeling",
+        "dual-depth-peeling",
+        "coherent-layer-peeling-b",
+        "dfb+ppao+ppdp",
+    ] {
+        let method: Method = name.parse().unwrap();
+        let history = inspect::history(&mut renderer, &scene, &method, [0, 0]).unwrap();
+        let composited = history.composited.as_ref().expect(name);
+        assert_eq!(composited.layers.len(), usize::from(LAYERS), "{name}");
+        assert_eq!(history.parts_at, None, "{name}");
+    }
+}
+
+/// All pixels are off by what 16-bit colours leave out. One has lost a fragment, too, of which hardly anything is to be seen.
+#[test]
+fn a_pixel_that_has_lost_something_is_found_among_many_that_are_only_rounded() {
+    let piece = |level| Piece {
+        level,
+        color: [0.3, 0.6, 0.1, 0.7],
+    };
+    let layers = |count: u16| {
+        (0..count)
+            .map(|number| piece(number * 20))
+            .collect::<Vec<_>>()
+    };
+    let mut pixels = vec![layers(8); 200];
+    pixels[77] = layers(9);
+    let stack = Stack {
+        width: 20,
+        pixels,
+        opaque: None,
+    };
+    let scene = stack.scene();
+    let context = Context::headless().unwrap();
+    let mut renderer = Renderer::new(&context, 20, 10).unwrap();
+    let mut method: Method = "ffb".parse().unwrap();
+    method.choose("array", "8").unwrap();
+    let found = inspect::find(&mut renderer, &scene, &method, Where::Lost).unwrap();
+    let pixel = found.expect("one has lost its ninth fragment");
+    assert_eq!(pixel, [77 % 20, 77 / 20]);
+    let history = inspect::history(&mut renderer, &scene, &method, pixel).unwrap();
+    let losses: Vec<_> = history.fragments.iter().filter_map(|it| it.loss).collect();
+    assert_eq!(losses, [Loss::Dropped]);
+    method.choose("array", "16").unwrap();
+    let found = inspect::find(&mut renderer, &scene, &method, Where::Lost).unwrap();
+    assert_eq!(found, None);
+}
+
+#[test]
+fn what_is_lost_says_why() {
+    let context = Context::headless().unwrap();
+    let mut renderer = Renderer::new(&context, 1, 1).unwrap();
+    let losses = |method: &Method, renderer: &mut Renderer<'_>| -> Vec<Loss> {
+        let history = inspect::history(renderer, &figure_2(), method, [0, 0]).unwrap();
+        history.fragments.iter().filter_map(|it| it.loss).collect()
+    };
+    for (name, option, value, count, loss) in [
+        (
+            "depth-peeling",
+            "peels",
+            "3",
+            8,
+            Loss::Ended(Reason::PeelLimit),
+        ),
+        ("ffb", "array", "8", 3, Loss::Dropped),
+        ("ffb", "fixed-layers", "4", 7, Loss::NoRoom),
+    ] {
+        let mut method: Method = name.parse().unwrap();
+        method.choose(option, value).unwrap();
+        assert_eq!(
+            losses(&method, &mut renderer),
+            vec![loss; count],
+            "{name} {option}"
+        );
+    }
+    let exact: Method = "dfb+ppdp".parse().unwrap();
+    assert!(losses(&exact, &mut renderer).is_empty());
+}
+
+/// Stored as 1/w, a depth is told as the distance from the eye.
+#[test]
+fn depths_by_1_over_w_are_told_as_distances() {
+    let context = Context::headless().unwrap();
+    let scene = example("teapot", [64, 48]);
+    let renderer = Renderer::new(&context, 64, 48).unwrap();
+    let mut renderer = renderer.with_inverse_w();
+    let method: Method = "depth-peeling".parse().unwrap();
+    let history = inspect::history(&mut renderer, &scene, &method, [32, 24]).unwrap();
+    assert!(history.by_distance && history.fragments.len() > 2);
+    let camera = &scene.camera;
+    let forward = (camera.target - camera.eye).normalize();
+    for fragment in &history.fragments {
+        let mesh = scene
+            .meshes
+            .iter()
+            .find(|it| it.name == fragment.mesh)
+            .unwrap();
+        let corners = mesh.corners(fragment.triangle as usize);
+        let distances = corners.map(|it| (it.position - camera.eye).dot(forward));
+        let [low, high] = [f64::min, f64::max].map(|of| distances.into_iter().reduce(of).unwrap());
+        assert!(
+            (low..=high).contains(&fragment.depth),
+            "{} of {low} to {high}",
+            fragment.depth
+        );
+        // Some roundings of 2^-24.
+        let off = f64::from(fragment.stored_depth) / fragment.depth - 1.0;
+        assert!(off.abs() < 1e-6, "{off}");
+    }
+    let peels = history.passes.iter().flat_map(|pass| &pass.events);
+    let stored = peels.filter(|event| event.depth[0] != event.depth[1]);
+    for event in stored {
+        let [before, after] = event.depth;
+        assert_eq!(
+            after,
+            history.fragments[event.fragment as usize].stored_depth
+        );
+        assert!(after < before);
+    }
+    // The first peel begins with depths infinitely far away.
+    assert_eq!(history.passes[0].held.depth, Some(f32::INFINITY));
+}
+
+#[test]
+fn what_cannot_be_followed_is_not_said_to_agree() {
+    let context = Context::headless().unwrap();
+    let mut renderer = Renderer::new(&context, 1, 1).unwrap();
+    let followed: Method = "depth-peeling".parse().unwrap();
+    let mut not_followed = followed;
+    not_followed.choose("depth-unit-0", "classic").unwrap();
+    for (method, agree) in [
+        (followed, serde_json::json!(true)),
+        (not_followed, serde_json::json!(null)),
+    ] {
+        let history = inspect::history(&mut renderer, &figure_2(), &method, [0, 0]).unwrap();
+        assert_eq!(history_json::object(&history)["agree"], agree);
+    }
+}
+
+/// The scan has three levels for so many pixels.
+#[test]
+fn a_scan_with_a_changed_word_is_noticed() {
+    const CHANGES: [[&str; 3]; 4] = [
+        ["gather", "here.y * size.x + here.x", "here.y * size.x"],
+        ["reduce", "sum += lower[i]", "sum = lower[i]"],
+        ["spread", "before += here", "before = here"],
+        ["spread", "? 0u : upper", "? 1u : upper"],
+    ];
+    let context = Context::headless().unwrap();
+    let scene = example("teapot", [80, 60]);
+    let method: Method = "dfb".parse().unwrap();
+    let faults = |renderer: &mut Renderer<'_>| {
+        let history = inspect::history(renderer, &scene, &method, [41, 29]).unwrap();
+        let differences = history.differences();
+        differences
+            .map(|(_, difference)| difference.to_owned())
+            .collect::<Vec<_>>()
+    };
+    let renderer = || Renderer::new(&context, 80, 60).unwrap();
+    assert!(faults(&mut renderer()).is_empty());
+    for [step, word, changed] in CHANGES {
+        let file = format!("a_buffer/scan_{step}.comp");
+        let text = onionskin::low_level::gl::shader_file(&file).unwrap();
+        assert!(text.contains(word), "{file} has no '{word}'");
+        let text = text.replace(word, changed);
+        let mut renderer = renderer().with_shader_file(&file, &text).unwrap();
+        let faults = faults(&mut renderer);
+        println!("{file}: {faults:?}");
+        assert!(
+            faults.iter().any(|it| it.starts_with("base offset: ")),
+            "{file}: {faults:?}"
+        );
     }
 }
 
@@ -287,7 +512,7 @@ fn a_thousand_pixels_of_bundled_scenes_are_the_same_on_both_machines_by_every_me
             let histories = inspect::histories(&mut renderer, scene, &method, &pixels).unwrap();
             for history in &histories {
                 assert_eq!(
-                    fault(history, is_amended),
+                    fault(history, &method, is_amended),
                     None,
                     "{} by {method} at {:?}",
                     scene.name,
@@ -329,7 +554,7 @@ fn rays_through_the_volumes_of_bundled_scenes_are_the_same_on_both_machines() {
             for history in &histories {
                 let at = history.pixel;
                 assert_eq!(
-                    fault(history, is_amended),
+                    fault(history, &method, is_amended),
                     None,
                     "{} by {method} at {at:?}",
                     scene.name
@@ -362,7 +587,7 @@ fn distances_from_1_over_w_are_the_same_on_both_machines() {
         assert!(histories.iter().any(|it| it.fragments.len() > 1));
         for history in &histories {
             assert_eq!(
-                fault(history, true),
+                fault(history, &method, true),
                 None,
                 "{method} at {:?}",
                 history.pixel

@@ -55,6 +55,11 @@ pub(super) struct Inspect {
     #[arg(long, value_name = "FILE")]
     html: Option<PathBuf>,
     /// Print one JSON object and nothing else
+    ///
+    /// It has `scene`, `method`, `chosen`, `size`, `pixel`, `by_distance`, `of_slices`, `fragments` (in the order of submission,
+    /// each with its `fate`), `passes` (each with its `lines`, its `events`, and what the pixel `held`), `ray`, `exact`,
+    /// `composited`, `parts_at`, `image`, `error`, `list`, `marked`, `stopped`, `agree` and `not_followed`. What they hold, the
+    /// documentation of the library says: onionskin::low_level::edition::history_json.
     #[arg(long, conflicts_with = "lines")]
     json: bool,
 }
@@ -94,9 +99,14 @@ impl Inspect {
         method: &Method,
     ) -> Result<[u32; 2]> {
         if let Some([x, y]) = self.pixel {
-            let height = scene.size[1];
-            let inside = y < height && self.bottom_up;
-            return Ok([x, if inside { height - 1 - y } else { y }]);
+            let [width, height] = scene.size;
+            if self.bottom_up && y >= height {
+                return Err(Error::usage(
+                    format!("there is no pixel {x},{y} in an image of {width} x {height} pixels"),
+                    format!("rows are 0 to {} from the bottom", height - 1),
+                ));
+            }
+            return Ok([x, if self.bottom_up { height - 1 - y } else { y }]);
         }
         let (found, what) = if self.worst {
             let found = inspect::worst(renderer, scene, method)?;

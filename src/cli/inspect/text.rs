@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use onionskin::inspect::{
-    Composite, Event, Fate, FragmentHistory, History, Pass, RaySegment, name,
+    Composite, Event, Fate, FragmentHistory, History, Loss, Pass, RaySegment, name,
 };
 use onionskin::low_level::emulator::{InList, RayEvent, RayHappening, RayRun, Resolve};
 use onionskin::low_level::fragment::Source;
@@ -16,7 +16,7 @@ pub(super) fn text(history: &History, with_lines: bool) -> String {
         return wrapped(text.trim_end());
     }
     if !history.fragments.is_empty() {
-        text += &fragments(&history.fragments);
+        text += &fragments(history);
     }
     for (number, pass) in (1..).zip(&history.passes) {
         text += &pass_text(number, pass, with_lines);
@@ -29,12 +29,12 @@ pub(super) fn text(history: &History, with_lines: bool) -> String {
 /// As wide as the narrowest terminals are.
 const COLUMNS: usize = 80;
 
-/// The text with lines that are too long broken between words.
+/// The text with lines that are too long broken between words, and after the commas of calls.
 fn wrapped(text: &str) -> String {
     let mut done = String::new();
     for line in text.lines() {
         let mut width = 0;
-        for word in line.split_inclusive(' ') {
+        for word in line.split_inclusive([' ', ',']) {
             let length = word.trim_end().chars().count();
             if width > 0 && width + length > COLUMNS {
                 done.truncate(done.trim_end_matches(' ').len());
@@ -74,23 +74,30 @@ fn summary(history: &History) -> String {
     row("image", format!("{r:.6} {g:.6} {b:.6} on OpenGL"));
     let [r, g, b, _] = history.exact.color;
     let error = history.error;
+    let of = if history.of_slices {
+        " of the slices"
+    } else {
+        ""
+    };
     row(
         "exact",
-        format!("{r:.6} {g:.6} {b:.6}, at most {error:.1e} from it"),
+        format!("{r:.6} {g:.6} {b:.6}{of}, at most {error:.1e} from it"),
     );
     if let Some(list) = history.list {
         let [reserved, used] = list.slots;
         row(
             "list",
             format!(
-                "{} records read in {} subpasses; {used} of {reserved} array slots used",
-                list.records_read, list.subpasses
+                "{} read in {}; {used} of {reserved} array slots used",
+                counted(list.records_read as usize, "record"),
+                counted(list.subpasses as usize, "subpass"),
             ),
         );
     }
     if let Some(marked) = history.marked {
         let proof = match marked {
             true => "failed: the pixel is marked and has a list",
+            false if history.exact.layers.is_empty() => "nothing to prove",
             false => "in order, so one pass is exact",
         };
         row("proof", proof.into());
@@ -152,7 +159,11 @@ fn machines(history: &History) -> String {
     }
     let followed = history.passes.iter().filter(|pass| pass.emulated.is_some());
     let [followed, all] = [followed.count(), history.passes.len()];
-    let mut text = format!("OpenGL and the emulated pixel agree after {followed} of {all} passes");
+    let all = counted(all, "pass");
+    let mut text = match followed {
+        0 => "not compared: the emulated pixel could follow no pass".to_owned(),
+        _ => format!("OpenGL and the emulated pixel agree after {followed} of {all}"),
+    };
     if let Some(why) = history.not_followed.first() {
         let why = why.lines().next().unwrap_or_default();
         let _ = write!(text, "\n{:<11} {why}", "");
@@ -160,26 +171,68 @@ fn machines(history: &History) -> String {
     text
 }
 
-fn fragments(fragments: &[FragmentHistory]) -> String {
+fn fragments(history: &History) -> String {
+    let depth = if history.by_distance {
+        "distance"
+    } else {
+        "depth"
+    };
     let mut text = format!(
-        "\n{:<5}{:<11}{:>8}  {:<12}{:<12}{:<17}{}\n",
-        "", "mesh", "triangle", "depth", "stored", "colour, alpha", "fate"
+        "\n{:<5}{:<9}{:>8}  {depth:<12}{:<12}{:<16}{:<5}{}\n",
+        "", "mesh", "triangle", "stored", "colour, alpha", "pass", "fate"
     );
-    for (number, it) in fragments.iter().enumerate() {
+    for (number, it) in history.fragments.iter().enumerate() {
         let [r, g, b, a] = it.color.to_array().map(hundredths);
+        let pass = it.pass.map(|pass| (pass + 1).to_string());
         let _ = writeln!(
             text,
-            "{:<5}{:<11}{:>8}  {:<12}{:<12}{:<17}{}",
+            "{:<5}{:<9}{:>8}  {:<12}{:<12}{:<16}{:<5}{}",
             format!("s{number}"),
-            shortened(&it.mesh, 10),
+            shortened(&it.mesh, 8),
             it.triangle,
-            format!("{:.9}", it.depth),
+            nine_digits(it.depth),
             it.stored_depth,
             format!("{r} {g} {b} {a}"),
+            pass.as_deref().unwrap_or("-"),
             fate(it)
         );
     }
-    text
+    text + &losses(&history.fragments)
+}
+
+/// The reasons for which fragments are lost, a line for each reason.
+fn losses(fragments: &[FragmentHistory]) -> String {
+    let mut reasons: Vec<(Loss, Vec<String>)> = Vec::new();
+    for (number, fragment) in fragments.iter().enumerate() {
+        let Some(loss) = fragment.loss else {
+            continue;
+        };
+        let name = format!("s{number}");
+        match reasons.iter_mut().find(|(other, _)| *other == loss) {
+            Some((_, names)) => names.push(name),
+            None => reasons.push((loss, vec![name])),
+        }
+    }
+    let lines = reasons
+        .iter()
+        .map(|(loss, names)| format!("lost {}: {loss}\n", names.join(" ")));
+    lines.collect()
+}
+
+/// A depth or distance with so many digits, as a 32-bit float may need.
+fn nine_digits(value: f64) -> String {
+    let before = value.abs().max(1.0).log10() as usize;
+    format!("{value:.*}", 9_usize.saturating_sub(before))
+}
+
+/// A number of things.
+fn counted(count: usize, one: &str) -> String {
+    let ending = match (count, one.ends_with('s')) {
+        (1, _) => "",
+        (_, true) => "es",
+        (_, false) => "s",
+    };
+    format!("{count} {one}{ending}")
 }
 
 /// A channel in three characters, if it is from 0 to 1.
@@ -207,7 +260,7 @@ fn fate(fragment: &FragmentHistory) -> String {
         Fate::Tied(other) => format!("LOST to s{other}"),
         Fate::Lost => "LOST".into(),
         Fate::Mixed => match fragment.weight {
-            Some(weight) => format!("mixed, {weight:.3}"),
+            Some(weight) => format!("mixed {weight:.3}"),
             None => "mixed".into(),
         },
         Fate::Hidden => "hidden".into(),
@@ -342,10 +395,15 @@ fn held(held: &Held) -> String {
     if let Some(stencil) = held.stencil {
         values.push(format!("stencil {stencil}"));
     }
-    for texel in &held.colors {
-        values.push(match texel {
+    let is_one = held.colors.len() == 1;
+    for (number, texel) in held.colors.iter().enumerate() {
+        let texel = match texel {
             Texel::Color([r, g, b, a]) => format!("{r:.4} {g:.4} {b:.4} {a:.4}"),
             Texel::Integers([r, g, b, a]) => format!("{r} {g} {b} {a}"),
+        };
+        values.push(match is_one {
+            true => format!("color {texel}"),
+            false => format!("color {number}: {texel}"),
         });
     }
     match values.is_empty() {

@@ -1,7 +1,7 @@
 "use strict";
 // Steps through the passes of a pixel's history. Without this script the page shows all of them.
 (() => {
-  /** @type {{passes: {events: {fragment: number, outcome: string}[], held: {depth: number|null}, over_screen: boolean}[]}} */
+  /** @type {{by_distance: boolean, passes: {events: {fragment: number, outcome: string}[], held: {depth: number|null}, over_screen: boolean}[]}} */
   const history = JSON.parse(document.getElementById("history").textContent);
   const panels = document.getElementById("panels");
   const articles = [...panels.querySelectorAll("article")];
@@ -29,7 +29,7 @@
     const deeper = Object.entries(places).filter(([other]) => Number(other) <= depth).map(([, place]) => place);
     const place = Math.max(0, ...deeper);
     const end = Number(drawing.dataset.end) - 3;
-    const x = depth >= 1 ? end : place;
+    const x = depth >= 1 && !history.by_distance ? end : place;
     stored.setAttribute("x1", x);
     stored.setAttribute("x2", x);
   }
