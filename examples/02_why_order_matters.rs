@@ -39,7 +39,7 @@ fn main() -> onionskin::Result<()> {
         .difference(
             &peeled.image,
             &blended.image,
-            "difference of the two, 0 to 1",
+            "difference of the two: largest channel",
         )?
         .save(&path)?;
     println!("{}", path.display());

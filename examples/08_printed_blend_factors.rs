@@ -62,7 +62,7 @@ fn main() -> onionskin::Result<()> {
         .difference(
             &amended.image,
             &printed.image,
-            "difference of the two, 0 to 1",
+            "difference of the two: largest channel",
         )?
         .save(&path)?;
     println!("{}", path.display());

@@ -42,7 +42,7 @@ fn main() -> onionskin::Result<()> {
         .difference(
             &frames[0].1.image,
             &frames[1].1.image,
-            "difference of the two, 0 to 1",
+            "difference of the two: largest channel",
         )?
         .save(&path)?;
     println!("{}", path.display());

@@ -57,7 +57,7 @@ fn main() -> onionskin::Result<()> {
                 .picture(&frame.image, "fog of 129 samples a side")
                 .measure(
                     Measure::new(SIZE[0], SIZE[1], differences),
-                    "difference from the closed form, 0 to 1",
+                    "difference from the closed form: largest channel",
                 )
                 .save(&path)?;
             println!("{}", path.display());

@@ -42,7 +42,7 @@ fn main() -> onionskin::Result<()> {
                 let path = example::output("18_two_volumes_and_a_mesh.png")?;
                 Panels::new("A vortex in fog, and a glass ring through both (Lindholm et al. 2015, section 6)")
                     .picture(&frame.image, "dfb: rays between the fragments of lists")
-                    .difference(&frame.image, &exact.image, "difference from the f64 caster, 0 to 1")?
+                    .difference(&frame.image, &exact.image, "difference from the f64 caster: largest channel")?
                     .save(&path)?;
             }
         }

@@ -56,7 +56,11 @@ fn main() -> onionskin::Result<()> {
     Panels::new("The molecule in its electrostatic potential (Lindholm et al. 2015, figure 1)")
         .picture(&frame.image, "surfaces, and volumes at two resolutions")
         .picture(&alone.image, "the surfaces alone")
-        .difference(&frame.image, &alone.image, "difference of the two, 0 to 1")?
+        .difference(
+            &frame.image,
+            &alone.image,
+            "difference of the two: largest channel",
+        )?
         .save(example::output("19_the_molecule.png")?)?;
     Ok(())
 }
