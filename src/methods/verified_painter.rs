@@ -45,8 +45,8 @@ use super::technique::{Published, Technique};
 use crate::error::Result;
 use crate::gl::{GlMachine, Numbers, PIECES, Texels};
 use crate::papers::edition::{
-    BEHIND, BOUNDS, FAILED, IN_PIECES, MARKS, NOTHING_OPAQUE, PLACE_RESOLVED, PROOF_DEPTH, RESOLVED,
-    RESOURCES, VERIFIED_PAINTER,
+    BEHIND, BOUNDS, FAILED, IN_PIECES, MARKS, NOTHING_OPAQUE, PLACE_RESOLVED, PROOF_DEPTH,
+    RESOLVED, RESOURCES, VERIFIED_PAINTER,
 };
 use crate::scene::Scene;
 use crate::steps::{Machine, Variables, run};

@@ -229,9 +229,7 @@ pub const PLACE_RESOLVED: Listing = Listing {
 
 /// What the listings take for granted.
 pub const RESOURCES: Resources = Resources {
-    maps: &[
-        (PROOF_DEPTH, Holds::Exactly(Format::Depth32FStencil8)),
-    ],
+    maps: &[(PROOF_DEPTH, Holds::Exactly(Format::Depth32FStencil8))],
     made: &[BEHIND],
     framebuffers: &[
         Framebuffer::new(PROOF, &[IMAGE_COLOR], Some(PROOF_DEPTH)),
