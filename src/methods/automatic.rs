@@ -33,6 +33,10 @@
 //! The machine was busy, so neighbours in a row may differ by a tenth without a reason. With less to do, and in runs of these
 //! two alone, `verified-painter` and `auto` took 1.22 and 1.22 on the sheets, 1.50 and 1.45 on the quads, 1.40 and 1.31 on the
 //! teapot, 1.73 and 1.69 on the knots.
+//!
+//! All of this was measured while the verified painter counted its lists by a draw. Since the CPU counts them, an idle machine
+//! took 1.08 and 1.09 on the sheets, 1.46 and 1.52 on the quads, 1.63 and 1.64 on the teapot, 1.57 and 1.67 on the knots, 2.51
+//! and 2.73 on the molecule, 2.20 and 2.29 on the slices. What `auto` takes more is the estimate.
 
 use super::a_buffer::{ABufferOptions, Manager, RecordColor, exact_color, free_maps_of_lists};
 use super::algorithm::{Algorithm, DrawOrder, Drawn, Setup};
