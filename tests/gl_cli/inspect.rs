@@ -109,7 +109,7 @@ fn a_pixel_is_found_by_what_happens_there() {
         "-m",
         "layer-peeling",
     ])
-    .says(&["there is no such pixel", "belongs in the image"]);
+    .says(&["no such pixel was found", "belongs in the image"]);
     desk.refused(&["inspect", "s.toml", "--worst", "-m", "layer-peeling"])
         .says(&["exact at every pixel"]);
     desk.refused(&["inspect", "s.toml", "--where", "marked", "-m", "blend"])

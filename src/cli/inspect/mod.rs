@@ -119,7 +119,7 @@ impl Inspect {
             let found = inspect::find(renderer, scene, method, place)?;
             (
                 found,
-                format!("there is no such pixel: {}", place.meaning()),
+                format!("no such pixel was found: {}", place.meaning()),
             )
         };
         found.ok_or_else(|| Error::usage(what, "choose a pixel with --pixel X,Y"))
