@@ -149,12 +149,12 @@ impl Followed {
         match setting {
             Setting::Window(window) => self.window = window,
             Setting::Band(band) => self.band = band,
+            Setting::Numbers(numbers) => {
+                self.number = numbers.number(self.place.pixel);
+                self.in_lists = true;
+                return;
+            }
             _ => {}
-        }
-        if let Setting::Numbers(numbers) = setting {
-            self.number = numbers.number(self.place.pixel);
-            self.in_lists = true;
-            return;
         }
         let setting = match setting {
             Setting::Band(Some(_)) if self.in_lists => Setting::Band(None),

@@ -93,7 +93,7 @@ pub struct VerifiedCounts {
     pub list_fragments: u64,
     /// The triangles that were drawn into the lists.
     pub list_triangles: u64,
-    /// The bytes of the lists.
+    /// The bytes of the lists, which have room for somewhat more than these fragments.
     pub list_bytes: u64,
 }
 

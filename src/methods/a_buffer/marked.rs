@@ -76,15 +76,12 @@ impl MarkedLists {
         machine: &mut GlMachine<'_>,
         most: Vec<u32>,
     ) -> Result<DrawnLists> {
-        let mut room = most;
-        loop {
-            let (counts, bytes) = self.draw_with(machine, &room)?;
-            if counts.iter().zip(&room).all(|(count, room)| count <= room) {
-                let fragments = counts.into_iter().map(u64::from).sum();
-                return Ok(DrawnLists { fragments, bytes });
-            }
-            room = counts;
+        let (mut counts, mut bytes) = self.draw_with(machine, &most)?;
+        if counts.iter().zip(&most).any(|(count, most)| count > most) {
+            (counts, bytes) = self.draw_with(machine, &counts)?;
         }
+        let fragments = counts.into_iter().map(u64::from).sum();
+        Ok(DrawnLists { fragments, bytes })
     }
 
     /// The same with room for so many fragments of each list. Returns how many each has, and the bytes of the lists.

@@ -1,9 +1,9 @@
 //! The triangles that reach marked pixels, and how many of them reach each.
 //!
-//! The lists need room before they are filled. Counting their fragments on the GPU takes a draw of all these triangles, nearly
-//! as long as the draw that fills the lists. The CPU knows as much: which rows a triangle has, and from where to where it
+//! The lists need room before they are filled. Counting their fragments on the GPU takes a draw of all these triangles,
+//! which takes more than half as long as the draw that fills the lists. The CPU knows as much: which rows a triangle has, and from where to where it
 //! reaches in each. The marked pixels of such a span have consecutive [`Numbers`], so a span is counted with two additions,
-//! however long it is. On the molecule this takes a tenth of the time of the draw.
+//! however long it is.
 //!
 //! What it finds is a bound: spans are longer than the triangle by what OpenGL may round, and no opaque surface hides
 //! anything. OpenGL counts the fragments when it fills the lists, so a bound that is too low is noticed
