@@ -58,6 +58,8 @@ mod fused_as_printed;
 mod fused_changed;
 mod fused_lockstep;
 mod inspect;
+mod inspect_changed;
+mod inspect_told;
 mod invariance;
 mod lists_lockstep;
 mod lockstep;
